@@ -1,3 +1,63 @@
-//! Placeholder.
+//! `goalgraph`: Goalgraph on the command line.
+//!
+//! Exit status: 0 done; 1 the input is wrong, said in one line per fault on standard error; 2 wrong usage. Results go to
+//! standard output, everything said about them to standard error. Nothing is written when anything is wrong.
+//!
+//! Modules in reading order: [`command`] has one module per command; [`input`] reads files, [`output`] writes them;
+//! [`alphabet`] finds sub-goals by what people call them; [`progress`] tells what takes long; [`failure`] is how a command fails.
 
-fn main() {}
+#![cfg_attr(test, allow(clippy::unwrap_used))]
+
+mod alphabet;
+mod command;
+mod failure;
+mod input;
+mod output;
+mod progress;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use command::{check, export, infer, plan, serve};
+
+/// Recorded demonstrations in, a probabilistic automaton of the task out.
+#[derive(Parser)]
+#[command(name = "goalgraph", version, max_term_width = 110, arg_required_else_help = true)]
+struct CommandLine {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Infers a specification from demonstrations, or from words
+    Infer(infer::Arguments),
+    /// Prints the order of sub-goals that a robot should follow, one per line, then its probability
+    Plan(plan::Arguments),
+    /// Lists what is wrong with a specification, and which demonstrations it accepts
+    Check(check::Arguments),
+    /// Writes a specification in the format of another tool
+    Export(export::Arguments),
+    /// Serves the app to browsers on this computer
+    Serve(serve::Arguments),
+}
+
+fn main() -> ExitCode {
+    let result = match CommandLine::parse().command {
+        Command::Infer(arguments) => infer::run(&arguments),
+        Command::Plan(arguments) => plan::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
+        Command::Export(arguments) => export::run(&arguments),
+        Command::Serve(arguments) => serve::run(&arguments),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            for line in failure.lines() {
+                output::say(line);
+            }
+            ExitCode::from(failure.exit_status())
+        }
+    }
+}

@@ -1,3 +1,5 @@
-//! Placeholder.
+//! The app in the page.
 
-fn main() {}
+fn main() {
+    goalgraph_web::page::start();
+}

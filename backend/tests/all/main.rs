@@ -1,0 +1,9 @@
+//! The real program and the real server, on real files and sockets.
+
+#![allow(clippy::unwrap_used)]
+
+mod check_and_export;
+mod infer;
+mod plan;
+mod serve;
+mod support;

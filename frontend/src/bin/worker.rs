@@ -1,0 +1,5 @@
+//! The app's worker.
+
+fn main() {
+    goalgraph_web::worker::start();
+}

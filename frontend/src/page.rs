@@ -1,0 +1,31 @@
+//! The page: what a person sees and does.
+
+mod colors;
+mod commands;
+mod derived;
+mod download;
+mod dropped;
+mod geometry;
+mod keys;
+mod model;
+mod samples;
+mod text;
+mod theme;
+mod update;
+mod verdict;
+mod view;
+mod worker_link;
+
+use leptos::prelude::*;
+
+use update::App;
+
+/// Shows the app and starts its worker.
+pub fn start() {
+    console_error_panic_hook::set_once();
+    mount_to_body(|| {
+        let app = App::new();
+        app.start();
+        view::shell::shell(app)
+    });
+}

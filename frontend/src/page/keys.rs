@@ -1,0 +1,82 @@
+//! Keys to commands.
+
+use leptos::prelude::*;
+use wasm_bindgen::JsCast;
+use web_sys::{Element, KeyboardEvent};
+
+use super::commands::COMMANDS;
+use super::update::App;
+
+/// Does the command that the pressed key stands for.
+pub(crate) fn press(app: App, event: &KeyboardEvent) {
+    // A dialog and a text field have the keyboard for themselves.
+    if app.model.overlay.get_untracked().is_some() || event.default_prevented() {
+        return;
+    }
+    let command_key = event.ctrl_key() || event.meta_key();
+    if is_typing(event) && !command_key {
+        return;
+    }
+    let code = event.code();
+    let key = name_of(&event.key(), &code, command_key, event.shift_key());
+    let command = COMMANDS.iter().find(|command| command.key == Some(key.as_str()));
+    let Some(command) = command else { return };
+    event.prevent_default();
+    if untrack(|| (command.enabled)(app)) {
+        (command.run)(app);
+    }
+}
+
+/// How a key is written in the command table: `o`, `Shift+1`, `Ctrl+k`, `?`.
+pub(crate) fn name_of(key: &str, code: &str, command_key: bool, shift: bool) -> String {
+    let control = if command_key { "Ctrl+" } else { "" };
+    // With Shift, a digit key writes what the keyboard's language has there.
+    match code.strip_prefix("Digit") {
+        Some(digit) if shift && key != "+" && key != "?" && key != "-" => format!("{control}Shift+{digit}"),
+        _ if key.chars().count() == 1 => format!("{control}{}", key.to_lowercase()),
+        _ => format!("{control}{key}"),
+    }
+}
+
+/// How a key is written for people: `Ctrl+K`.
+pub(crate) fn shown(key: &str) -> String {
+    match key.rsplit_once('+') {
+        Some((modifier, letter)) if !letter.is_empty() => format!("{modifier}+{}", letter.to_uppercase()),
+        _ if key.len() == 1 => key.to_uppercase(),
+        _ => key.replace("Escape", "Esc"),
+    }
+}
+
+fn is_typing(event: &KeyboardEvent) -> bool {
+    let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+    target.is_some_and(|element| {
+        let kind = element.get_attribute("type").unwrap_or_default();
+        let text_input =
+            element.tag_name() == "INPUT" && !["checkbox", "radio", "file"].contains(&kind.as_str());
+        text_input || ["TEXTAREA", "SELECT"].contains(&element.tag_name().as_str())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_are_named_as_the_table_writes_them() {
+        assert_eq!(name_of("o", "KeyO", false, false), "o");
+        assert_eq!(name_of("K", "KeyK", true, true), "Ctrl+k");
+        assert_eq!(name_of("!", "Digit1", false, true), "Shift+1");
+        assert_eq!(name_of("?", "Slash", false, true), "?");
+        assert_eq!(name_of("?", "Minus", false, true), "?");
+        assert_eq!(name_of("+", "Digit1", false, true), "+");
+        assert_eq!(name_of("Escape", "Escape", false, false), "Escape");
+    }
+
+    #[test]
+    fn keys_are_shown_as_people_write_them() {
+        assert_eq!(
+            ["Ctrl+k", "o", "Shift+1", "+", "Escape"].map(shown),
+            ["Ctrl+K", "O", "Shift+1", "+", "Esc"]
+        );
+    }
+}

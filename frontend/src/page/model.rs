@@ -1,0 +1,242 @@
+//! Ground state: what nothing else could tell. Whatever follows from it is in [`super::derived`].
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use goalgraph::infer::{InferRequest, Method, Progress, RadiusRule};
+use goalgraph::pdfa::{Semantics, StateId, Symbol};
+use goalgraph::plan::Strategy;
+use goalgraph::subset::SubsetRequest;
+use leptos::prelude::*;
+use serde::Deserialize;
+
+use super::theme::Theme;
+use crate::protocol::{DemonstrationId, FileContent, FileId, Outcome, Placement, Track};
+
+/// What a task is called until somebody names it; the command line's default is the same.
+pub(crate) const UNTITLED: &str = "Untitled task";
+
+/// The tabs, in the order of the flow.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Tab {
+    /// Files and what is in them.
+    #[default]
+    Demonstrations,
+    /// What was found in each feature subset.
+    SubGoals,
+    /// The graph.
+    Automaton,
+    /// Plan and availability.
+    Run,
+}
+
+impl Tab {
+    /// All tabs, from left to right.
+    pub(crate) const ALL: [Self; 4] = [Self::Demonstrations, Self::SubGoals, Self::Automaton, Self::Run];
+
+    /// The name on the tab.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Demonstrations => "Demonstrations",
+            Self::SubGoals => "Sub-goals",
+            Self::Automaton => "Automaton",
+            Self::Run => "Run",
+        }
+    }
+}
+
+/// A file that somebody gave.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct LoadedFile {
+    /// Its identity here and in the worker.
+    pub(crate) id: FileId,
+    /// What it is called.
+    pub(crate) name: String,
+    /// How many bytes it has.
+    pub(crate) bytes: f64,
+    /// How far the reading is.
+    pub(crate) reading: Reading,
+}
+
+/// How far the reading of a file is.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Reading {
+    /// The worker has it before it.
+    Waiting,
+    /// Somebody canceled before it was read.
+    Canceled,
+    /// It is read.
+    Read(Arc<FileContent>),
+    /// It holds no demonstrations, for this reason.
+    Refused(String),
+}
+
+/// What the expert chose for the inference; the rest of the request is the files and the name.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Settings {
+    /// The subsets, or none for the engine's proposal.
+    pub(crate) subsets: Option<Vec<SubsetRequest>>,
+    /// Which frames are clustered.
+    pub(crate) method: Method,
+    /// How large balls are.
+    pub(crate) radius: RadiusRule,
+}
+
+/// What an inference is made from: the same basis gives the same outcome.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Basis {
+    /// The files, in order.
+    pub(crate) files: Vec<FileId>,
+    /// The request.
+    pub(crate) request: InferRequest,
+}
+
+/// An outcome and what it was made from.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Learned {
+    /// What it was made from.
+    pub(crate) basis: Basis,
+    /// What came out.
+    pub(crate) outcome: Arc<Outcome>,
+}
+
+/// What the worker infers at the moment.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Inferring {
+    /// What it infers from.
+    pub(crate) basis: Basis,
+    /// How far it is.
+    pub(crate) progress: Progress,
+}
+
+/// What is selected in the automaton.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Selection {
+    /// A state.
+    State(StateId),
+    /// The transition by a symbol out of a state.
+    Transition(StateId, Symbol),
+}
+
+/// What lies over the page.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Overlay {
+    /// All commands, to search and run.
+    Palette,
+    /// All commands, to read.
+    Help,
+}
+
+/// A sentence about what just happened.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Notice {
+    /// The sentence.
+    pub(crate) text: String,
+    /// Whether something went wrong.
+    pub(crate) alarming: bool,
+}
+
+/// A set of demonstrations that comes with the app.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+pub(crate) struct Sample {
+    /// Its folder.
+    pub(crate) id: String,
+    /// Its name.
+    pub(crate) title: String,
+    /// What it shows.
+    pub(crate) description: String,
+    /// Its files.
+    pub(crate) files: Vec<String>,
+}
+
+/// How the drawing lies in its frame: `on_screen = on_drawing * scale + (x, y)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Viewport {
+    /// Pixels of the screen per pixel of the drawing.
+    pub(crate) scale: f64,
+    /// Where the drawing's left edge is.
+    pub(crate) x: f64,
+    /// Where the drawing's top edge is.
+    pub(crate) y: f64,
+}
+
+/// All ground state.
+pub(crate) struct Model {
+    /// The files, in the order in which they came.
+    pub(crate) files: RwSignal<Vec<LoadedFile>>,
+    /// What the task is called.
+    pub(crate) task_name: RwSignal<String>,
+    /// What the expert chose.
+    pub(crate) settings: RwSignal<Settings>,
+    /// How weights are read.
+    pub(crate) semantics: RwSignal<Semantics>,
+    /// What was learned last.
+    pub(crate) learned: RwSignal<Option<Learned>>,
+    /// What is being learned.
+    pub(crate) inferring: RwSignal<Option<Inferring>>,
+    /// What somebody canceled to learn from, so that it is not begun again unasked.
+    pub(crate) canceled: RwSignal<Option<Basis>>,
+    /// Where the automaton's parts are, in each direction of drawing.
+    pub(crate) placements: RwSignal<Vec<Arc<Placement>>>,
+    /// The demonstration on display.
+    pub(crate) demonstration: RwSignal<Option<DemonstrationId>>,
+    /// Its values, once the worker gave them.
+    pub(crate) track: RwSignal<Option<(DemonstrationId, Arc<Track>)>>,
+    /// The subset on display.
+    pub(crate) subset: RwSignal<usize>,
+    /// The tab on display.
+    pub(crate) tab: RwSignal<Tab>,
+    /// What is selected in the automaton.
+    pub(crate) selection: RwSignal<Option<Selection>>,
+    /// How the drawing lies; none until it was fitted.
+    pub(crate) viewport: RwSignal<Option<Viewport>>,
+    /// Width and height of the drawing's frame.
+    pub(crate) frame: RwSignal<(f64, f64)>,
+    /// Whether the automaton is shown as a table.
+    pub(crate) as_table: RwSignal<bool>,
+    /// Sub-goals that cannot be completed now.
+    pub(crate) unavailable: RwSignal<BTreeSet<Symbol>>,
+    /// How plans are chosen.
+    pub(crate) strategy: RwSignal<Strategy>,
+    /// What lies over the page.
+    pub(crate) overlay: RwSignal<Option<Overlay>>,
+    /// Whether files are being dragged over the page.
+    pub(crate) dragging: RwSignal<bool>,
+    /// The last sentence to the user.
+    pub(crate) notice: RwSignal<Notice>,
+    /// Samples that the server offers; none until it answered.
+    pub(crate) samples: RwSignal<Option<Vec<Sample>>>,
+    /// The colors of the page.
+    pub(crate) theme: RwSignal<Theme>,
+}
+
+impl Model {
+    /// An empty app.
+    pub(crate) fn new() -> Self {
+        Self {
+            files: RwSignal::default(),
+            task_name: RwSignal::new(UNTITLED.to_owned()),
+            settings: RwSignal::default(),
+            semantics: RwSignal::default(),
+            learned: RwSignal::default(),
+            inferring: RwSignal::default(),
+            canceled: RwSignal::default(),
+            placements: RwSignal::default(),
+            demonstration: RwSignal::default(),
+            track: RwSignal::default(),
+            subset: RwSignal::default(),
+            tab: RwSignal::default(),
+            selection: RwSignal::default(),
+            viewport: RwSignal::default(),
+            frame: RwSignal::default(),
+            as_table: RwSignal::default(),
+            unavailable: RwSignal::default(),
+            strategy: RwSignal::default(),
+            overlay: RwSignal::default(),
+            dragging: RwSignal::default(),
+            notice: RwSignal::default(),
+            samples: RwSignal::default(),
+            theme: RwSignal::new(Theme::stored()),
+        }
+    }
+}

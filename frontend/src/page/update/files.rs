@@ -1,0 +1,118 @@
+//! Files that come and go.
+
+use std::collections::BTreeSet;
+
+use leptos::prelude::*;
+use web_sys::File;
+
+use super::App;
+use crate::page::model::{Basis, LoadedFile, Model, Notice, Reading, Settings, Tab, UNTITLED};
+use crate::protocol::{DemonstrationId, FileId, ToWorker};
+
+impl App {
+    /// Takes files, in byte order of their names; one with the name of an earlier one takes its place.
+    pub(super) fn open(self, mut files: Vec<(String, File)>) {
+        if self.model.inferring.with_untracked(Option::is_some) {
+            // What is being inferred is outdated from now on; do not let the new files wait for it.
+            self.restart_worker();
+        }
+        files.sort_by(|a, b| a.0.cmp(&b.0));
+        let outside = self.outside.get_value();
+        for (name, file) in files {
+            let earlier =
+                self.model.files.with_untracked(|known| known.iter().find(|f| f.name == name).map(|f| f.id));
+            if let Some(id) = earlier {
+                self.forget(id);
+            }
+            let id = FileId(outside.next_file.replace(outside.next_file.get() + 1));
+            let loaded = LoadedFile { id, name, bytes: file.size(), reading: Reading::Waiting };
+            outside.files.borrow_mut().insert(id, file);
+            self.model.files.update(|files| files.push(loaded));
+            self.read(id);
+        }
+    }
+
+    /// Has a file read, for the first time or again.
+    pub(super) fn read(self, id: FileId) {
+        let outside = self.outside.get_value();
+        let Some(file) = outside.files.borrow().get(&id).cloned() else { return };
+        self.set_reading(id, Reading::Waiting);
+        self.post(&ToWorker::Read { file: id, name: file.name() }, Some(&file));
+    }
+
+    pub(super) fn set_reading(self, id: FileId, reading: Reading) {
+        self.model.files.update(|files| {
+            if let Some(file) = files.iter_mut().find(|file| file.id == id) {
+                file.reading = reading;
+            }
+        });
+    }
+
+    fn forget(self, id: FileId) {
+        self.outside.get_value().files.borrow_mut().remove(&id);
+        self.post(&ToWorker::Forget { file: id }, None);
+        self.model.files.update(|files| files.retain(|file| file.id != id));
+        if self.model.demonstration.get_untracked().is_some_and(|shown| shown.file == id) {
+            self.model.demonstration.set(None);
+        }
+    }
+
+    pub(super) fn remove(self, id: FileId) {
+        self.forget(id);
+        self.settle();
+    }
+
+    pub(super) fn clear(self) {
+        if self.model.inferring.get_untracked().is_some() || self.derived.reading.get_untracked() {
+            self.restart_worker();
+        }
+        let ids: Vec<FileId> =
+            self.model.files.with_untracked(|files| files.iter().map(|file| file.id).collect());
+        for id in ids {
+            self.forget(id);
+        }
+        self.model.task_name.set(UNTITLED.to_owned());
+        self.model.settings.set(Settings::default());
+        self.drop_learned();
+        self.model.tab.set(Tab::Demonstrations);
+        self.say(Notice::calm("Everything is cleared."));
+    }
+
+    fn drop_learned(self) {
+        self.model.learned.set(None);
+        self.model.placements.set(Vec::new());
+        self.model.viewport.set(None);
+        self.model.selection.set(None);
+        self.model.unavailable.update(BTreeSet::clear);
+    }
+
+    /// Once no file is being read any more: shows something, and infers when there is something new to infer from.
+    pub(super) fn settle(self) {
+        if self.derived.reading.get_untracked() {
+            return;
+        }
+        if self.model.demonstration.get_untracked().is_none()
+            && let Some((file, _)) = self.derived.accepted.get_untracked().first()
+        {
+            self.show(DemonstrationId { file: *file, index: 0 });
+        }
+        match self.derived.basis.get_untracked() {
+            None => self.drop_learned(),
+            Some(basis) if self.is_known(&basis) => {}
+            Some(_) => self.infer(),
+        }
+    }
+
+    /// Whether there is no need to infer from `basis`: that was done, is being done, or somebody canceled it.
+    fn is_known(self, basis: &Basis) -> bool {
+        let Model { learned, inferring, canceled, .. } = self.model;
+        learned.with_untracked(|learned| learned.as_ref().is_some_and(|learned| learned.basis == *basis))
+            || inferring.with_untracked(|inferring| inferring.as_ref().is_some_and(|it| it.basis == *basis))
+            || canceled.with_untracked(|canceled| canceled.as_ref() == Some(basis))
+    }
+
+    pub(super) fn show(self, demonstration: DemonstrationId) {
+        self.model.demonstration.set(Some(demonstration));
+        self.post(&ToWorker::Track { demonstration }, None);
+    }
+}

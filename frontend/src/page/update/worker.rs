@@ -1,0 +1,144 @@
+//! What the worker is asked to do, and what it answers.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use goalgraph::infer::Progress;
+use leptos::prelude::*;
+
+use super::App;
+use crate::page::model::{Basis, Inferring, Learned, Notice, Reading, Tab};
+use crate::page::text::count;
+use crate::page::verdict::Verdict;
+use crate::page::view::graph;
+use crate::page::worker_link::Report;
+use crate::protocol::{FromWorker, Outcome, ToWorker};
+
+impl App {
+    pub(super) fn infer(self) {
+        let Some(basis) = self.derived.basis.get_untracked() else {
+            return self.say(Notice::alarm("There are no demonstrations to infer from. Open some first."));
+        };
+        if self.model.inferring.with_untracked(Option::is_some) {
+            self.cancel();
+        }
+        let Basis { files, request } = basis.clone();
+        let progress = Progress { stage: "Starting".to_owned(), done: 0, total: 1 };
+        self.model.canceled.set(None);
+        self.model.inferring.set(Some(Inferring { basis, progress }));
+        self.post(&ToWorker::Infer { files, request }, None);
+    }
+
+    /// Stops the worker in the middle of whatever it does. What was read stays; what was not is marked.
+    pub(super) fn cancel(self) {
+        if self.model.inferring.with_untracked(Option::is_none) && !self.derived.reading.get_untracked() {
+            return;
+        }
+        self.say(Notice::calm("Canceled. Nothing was lost."));
+        self.restart_worker();
+    }
+
+    /// A fresh worker knows nothing: it is given the files again that were accepted.
+    pub(super) fn restart_worker(self) {
+        self.model.inferring.set(None);
+        let outside = self.outside.get_value();
+        if let Some(link) = outside.link.get() {
+            link.restart();
+        }
+        for (id, verdict) in self.derived.verdicts.get_untracked() {
+            match verdict {
+                Verdict::Reading => self.set_reading(id, Reading::Canceled),
+                Verdict::Accepted(_) => {
+                    let file = outside.files.borrow().get(&id).cloned();
+                    if let Some(file) = file {
+                        self.post(&ToWorker::Read { file: id, name: file.name() }, Some(&file));
+                    }
+                }
+                Verdict::Canceled | Verdict::Refused(_) => {}
+            }
+        }
+        self.model.canceled.set(self.derived.basis.get_untracked());
+    }
+
+    pub(super) fn hear(self, report: Report) {
+        match report {
+            Report::Answer(answer) => self.take(answer),
+            Report::Broken(reason) => {
+                // The first file that was not read is the one that the worker broke down over.
+                let unread = self.derived.verdicts.get_untracked().into_iter();
+                let culprit =
+                    unread.filter(|(_, verdict)| *verdict == Verdict::Reading).map(|(id, _)| id).next();
+                self.restart_worker();
+                let reason =
+                    format!("the worker broke down ({reason}); the file may be too large for this browser");
+                match culprit {
+                    Some(id) => self.set_reading(id, Reading::Refused(reason)),
+                    None => self.say(Notice::alarm(format!("Not done: {reason}."))),
+                }
+            }
+        }
+    }
+
+    fn take(self, answer: FromWorker) {
+        let model = self.model;
+        match answer {
+            FromWorker::Ready => {}
+            FromWorker::Read { file, result } => {
+                self.set_reading(
+                    file,
+                    result.map_or_else(Reading::Refused, |content| Reading::Read(Arc::new(content))),
+                );
+                self.settle();
+            }
+            FromWorker::Progress(progress) => model.inferring.update(|inferring| {
+                if let Some(inferring) = inferring {
+                    inferring.progress = progress;
+                }
+            }),
+            FromWorker::Inferred(result) => self.learned(result),
+            FromWorker::Track { demonstration, track } => {
+                model.track.set(Some((demonstration, Arc::new(track))))
+            }
+            FromWorker::LaidOut(Ok(placements)) => {
+                model.placements.set(placements.into_iter().map(Arc::new).collect());
+                graph::fit(self);
+            }
+            FromWorker::Svg(Ok(text)) => self.save("svg", "image/svg+xml", &text),
+            FromWorker::LaidOut(Err(reason)) | FromWorker::Svg(Err(reason)) => {
+                self.say(Notice::alarm(format!("The automaton cannot be drawn: {reason}")));
+            }
+        }
+    }
+
+    fn learned(self, result: Result<Box<Outcome>, String>) {
+        let Some(inferring) = self.model.inferring.get_untracked() else { return };
+        self.model.inferring.set(None);
+        match result {
+            Err(reason) => self.say(Notice::alarm(format!("Nothing was inferred: {reason}"))),
+            Ok(outcome) => {
+                let first = self.model.learned.with_untracked(Option::is_none);
+                self.model.selection.set(None);
+                self.model.unavailable.update(BTreeSet::clear);
+                self.model.learned.set(Some(Learned { basis: inferring.basis, outcome: Arc::from(outcome) }));
+                self.announce(first);
+            }
+        }
+    }
+
+    /// Says what was learned. The first automaton is shown at once, unless a verdict has to be read before.
+    fn announce(self, first: bool) {
+        let Some(specification) = self.derived.specification.get_untracked() else { return };
+        let found = format!(
+            "{} and {} from {}.",
+            count(specification.sub_goals.len(), "sub-goal"),
+            count(specification.pdfa.states.len(), "state"),
+            count(specification.demonstrations.len(), "demonstration"),
+        );
+        self.say(Notice::calm(found));
+        let verdicts = self.derived.verdicts.get_untracked();
+        let all_accepted = verdicts.iter().all(|(_, verdict)| matches!(verdict, Verdict::Accepted(_)));
+        if first && all_accepted && !specification.sub_goals.is_empty() {
+            self.model.tab.set(Tab::Automaton);
+        }
+    }
+}

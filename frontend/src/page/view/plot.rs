@@ -1,0 +1,124 @@
+//! Planes: paths, points and balls seen from one side.
+
+use leptos::prelude::*;
+
+use crate::page::geometry::{Plane, Range, dots, line, round_length};
+use crate::page::text::significant;
+
+/// Width and height of a plane; it keeps its shape on the page.
+const SIZE: (f64, f64) = (420.0, 300.0);
+const MARGIN: f64 = 24.0;
+
+/// The path of one thing, with gaps.
+pub(crate) struct Trace {
+    /// Its name.
+    pub(crate) name: String,
+    /// The class that gives its color.
+    pub(crate) class: String,
+    /// Its places in the order of time.
+    pub(crate) points: Vec<Option<(f64, f64)>>,
+}
+
+/// A ball seen as a disk.
+#[derive(Clone)]
+pub(crate) struct Disk {
+    /// What is written beside it.
+    pub(crate) label: String,
+    /// The class that gives its color.
+    pub(crate) class: String,
+    /// Its center.
+    pub(crate) center: (f64, f64),
+    /// Its radius.
+    pub(crate) radius: f64,
+    /// The points in it.
+    pub(crate) points: Vec<(f64, f64)>,
+}
+
+/// Paths with their starts and ends.
+pub(crate) fn plane_view((across, up): (&str, &str), traces: &[Trace]) -> impl IntoView + use<> {
+    let points = || traces.iter().flat_map(|trace| trace.points.iter().flatten().copied());
+    let plane = plane_of(points());
+    let path = |trace: &Trace| {
+        let placed = trace.points.iter().map(|point| point.map(|point| plane.place(point)));
+        let start = trace.points.iter().flatten().next().map(|&point| plane.place(point));
+        let end = trace.points.iter().flatten().next_back().map(|&point| plane.place(point));
+        view! {
+            <g class=format!("trace {}", trace.class)>
+                <path class="trace-line" d=line(placed) />
+                {start.map(|(x, y)| view! { <circle class="trace-start" cx=x.to_string() cy=y.to_string() r="3.5" /> })}
+                {end.map(|(x, y)| view! { <circle class="trace-end" cx=x.to_string() cy=y.to_string() r="4.5" /> })}
+                {end.map(|end| beside(end, 8.0, trace.name.clone()))}
+            </g>
+        }
+    };
+    let paths = traces.iter().map(path).collect_view().into_any();
+    framed((across, up), &plane, paths)
+}
+
+/// Points, and the balls over them.
+pub(crate) fn disks_view(
+    (across, up): (&str, &str),
+    points: &[(f64, f64)],
+    disks: &[Disk],
+    eliminated: &[Disk],
+) -> impl IntoView + use<> {
+    let rim = |disk: &Disk| {
+        let ((x, y), r) = (disk.center, disk.radius);
+        [(x - r, y - r), (x + r, y + r)]
+    };
+    let plane = plane_of(points.iter().copied().chain(disks.iter().chain(eliminated).flat_map(rim)));
+    let disk = |disk: &Disk, class: &str| {
+        let (x, y) = plane.place(disk.center);
+        let radius = (disk.radius * plane.scale()).max(3.0);
+        view! {
+            <g class=format!("{class} {}", disk.class)>
+                <path class="ball-points" d=dots(disk.points.iter().map(|&point| plane.place(point))) />
+                <circle class="ball-rim" cx=format!("{x:.1}") cy=format!("{y:.1}") r=format!("{radius:.1}") />
+                {beside((x, y), radius + 4.0, disk.label.clone())}
+            </g>
+        }
+    };
+    let below = eliminated.iter().map(|it| disk(it, "ball eliminated")).collect_view();
+    let above = disks.iter().map(|it| disk(it, "ball")).collect_view();
+    let cloud = dots(points.iter().map(|&point| plane.place(point)));
+    framed((across, up), &plane, view! { <path class="cloud" d=cloud /> {below} {above} }.into_any())
+}
+
+/// A text at the side of a place where there is room.
+fn beside((x, y): (f64, f64), distance: f64, text: String) -> impl IntoView {
+    let at_left = x > 0.72 * SIZE.0;
+    let x = if at_left { x - distance } else { x + distance };
+    let anchor = if at_left { "end" } else { "start" };
+    view! { <text x=format!("{x:.1}") y=format!("{:.1}", y + 4.0) text-anchor=anchor>{text}</text> }
+}
+
+fn plane_of(points: impl Iterator<Item = (f64, f64)> + Clone) -> Plane {
+    let unit = Range { low: 0.0, high: 1.0 };
+    let x = Range::of(points.clone().map(|point| point.0)).unwrap_or(unit);
+    let y = Range::of(points.map(|point| point.1)).unwrap_or(unit);
+    Plane::new(x, y, SIZE, MARGIN)
+}
+
+/// The frame around a plane: names of its axes and a scale bar.
+fn framed((across, up): (&str, &str), plane: &Plane, content: AnyView) -> impl IntoView + use<> {
+    let (width, height) = SIZE;
+    let length = round_length((width - 2.0 * MARGIN) / plane.scale());
+    let bar = length * plane.scale();
+    let (left, bottom) = (MARGIN, height - 10.0);
+    let title = match (across, up) {
+        ("x", "y") => "From above".to_owned(),
+        ("x", "z") => "From the side".to_owned(),
+        _ => format!("{across} and {up}"),
+    };
+    let label = format!("{title}: {across} to the right, {up} up");
+    view! {
+        <figure class="plane">
+            <figcaption><strong>{title}</strong> <span class="hint">{format!("{across} right, {up} up")}</span></figcaption>
+            <svg viewBox=format!("0 0 {width} {height}") role="img" aria-label=label>
+                {content}
+                <path class="scale-bar" d=format!("M{left} {:.1}v6h{bar:.1}v-6", bottom - 6.0) />
+                <text class="scale-text" x=format!("{:.1}", left + bar + 6.0) y=format!("{bottom:.1}")>{significant(length)}</text>
+            </svg>
+        </figure>
+    }
+}

@@ -1,0 +1,248 @@
+//! What the page and its worker say to each other: one type on both ends.
+//!
+//! A message is JSON text. A file to read travels beside it as the browser's handle, so its bytes are never copied
+//! through the page.
+
+use goalgraph::demonstration::Feature;
+use goalgraph::infer::{InferRequest, Progress};
+use serde::{Deserialize, Serialize};
+
+/// Identity of a file in the page, never reused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct FileId(pub u32);
+
+/// One demonstration: a file and the position in it, from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct DemonstrationId {
+    /// The file that holds it.
+    pub file: FileId,
+    /// Its position in the file.
+    pub index: usize,
+}
+
+/// What the page asks for.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum ToWorker {
+    /// Read the file that travels beside this message and keep its demonstrations.
+    Read {
+        /// Under this identity.
+        file: FileId,
+        /// What the file is called.
+        name: String,
+    },
+    /// Forget the demonstrations of a file.
+    Forget {
+        /// The file.
+        file: FileId,
+    },
+    /// Infer a specification.
+    Infer {
+        /// The files, in the order of their demonstrations.
+        files: Vec<FileId>,
+        /// What to infer and how.
+        request: InferRequest,
+    },
+    /// Give the values of one demonstration, thinned for drawing.
+    Track {
+        /// Which one.
+        demonstration: DemonstrationId,
+    },
+    /// Place the states and transitions of a specification.
+    LayOut {
+        /// Its text.
+        specification: String,
+    },
+    /// Draw a specification as an SVG file.
+    DrawSvg {
+        /// Its text.
+        specification: String,
+    },
+}
+
+/// What the worker answers.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum FromWorker {
+    /// It listens now; what was posted before is lost.
+    Ready,
+    /// A file was read.
+    Read {
+        /// The file.
+        file: FileId,
+        /// What is in it, or why nothing is.
+        result: Result<FileContent, String>,
+    },
+    /// How far the inference is.
+    Progress(Progress),
+    /// The inference is done.
+    Inferred(Result<Box<Outcome>, String>),
+    /// The values of one demonstration.
+    Track {
+        /// Which one.
+        demonstration: DemonstrationId,
+        /// Its values.
+        track: Track,
+    },
+    /// Where everything is, in each direction of drawing.
+    LaidOut(Result<Vec<Placement>, String>),
+    /// The SVG file.
+    Svg(Result<String, String>),
+}
+
+/// What a file holds: at least one demonstration, all with the same features.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FileContent {
+    /// The features.
+    pub features: Vec<Feature>,
+    /// The demonstrations, in the order of the file.
+    pub demonstrations: Vec<DemonstrationEntry>,
+}
+
+/// A demonstration in a list.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct DemonstrationEntry {
+    /// Its name.
+    pub name: String,
+    /// How many frames it has.
+    pub frames: usize,
+    /// How many of its values are undefined.
+    pub undefined: usize,
+}
+
+/// The result of an inference.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Outcome {
+    /// The specification's text, byte for byte what the command line writes.
+    pub specification: String,
+    /// Clusters that are no sub-goals.
+    pub eliminated: Vec<EliminatedCluster>,
+    /// Sentences for the expert.
+    pub notes: Vec<String>,
+    /// Observed partial states per subset, thinned for drawing.
+    pub clouds: Vec<Cloud>,
+}
+
+/// A cluster that is no sub-goal.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EliminatedCluster {
+    /// The subset it was found in.
+    pub subset: String,
+    /// Center, one coordinate per feature of the subset.
+    pub center: Vec<f64>,
+    /// Radius, in the unit of the features.
+    pub radius: f64,
+    /// How many frames were clustered into it.
+    pub frames: usize,
+    /// How many demonstrations have frames in it.
+    pub demonstrations: usize,
+    /// Why it is no sub-goal.
+    pub reason: String,
+}
+
+/// Observed partial states of one subset.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Cloud {
+    /// The subset.
+    pub subset: String,
+    /// How many coordinates a point has.
+    pub dimensions: usize,
+    /// The coordinates, point by point.
+    pub coordinates: Vec<f32>,
+}
+
+/// The values of one demonstration, every `stride`-th frame.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Track {
+    /// How many frames the demonstration has.
+    pub frames: usize,
+    /// The distance of two frames of the track.
+    pub stride: usize,
+    /// How many features a frame has.
+    pub features: usize,
+    /// The values frame by frame; none where undefined.
+    pub values: Vec<Option<f32>>,
+}
+
+impl Track {
+    /// The values of one feature over the track's frames.
+    pub fn column(&self, feature: usize) -> impl Iterator<Item = Option<f32>> + '_ {
+        self.values.iter().copied().skip(feature).step_by(self.features.max(1))
+    }
+}
+
+/// Where the states and transitions of an automaton are drawn, in pixels at scale 1.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Placement {
+    /// Width of the drawing.
+    pub width: f64,
+    /// Height of the drawing.
+    pub height: f64,
+    /// The arrow from nowhere to the initial state.
+    pub start: Option<PlacedArrow>,
+    /// The states.
+    pub states: Vec<PlacedState>,
+    /// The transitions.
+    pub transitions: Vec<PlacedTransition>,
+}
+
+/// Where a state is.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PlacedState {
+    /// The state, such as `q3`.
+    pub id: String,
+    /// Center.
+    pub x: f64,
+    /// Center.
+    pub y: f64,
+    /// Width of its box.
+    pub width: f64,
+    /// Height of its box.
+    pub height: f64,
+}
+
+/// A line with a head, both as the `d` of an SVG path.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PlacedArrow {
+    /// The line.
+    pub shaft: String,
+    /// The head.
+    pub head: String,
+}
+
+/// Where a transition is.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PlacedTransition {
+    /// The state it leaves.
+    pub source: String,
+    /// Its symbol, such as `g0`.
+    pub symbol: String,
+    /// The state it leads to.
+    pub target: String,
+    /// Its line.
+    pub arrow: PlacedArrow,
+    /// Center of its label.
+    pub label_x: f64,
+    /// Center of its label.
+    pub label_y: f64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_message_survives_the_way_through_its_text() {
+        let track = Track { frames: 2, stride: 1, features: 1, values: vec![Some(0.5), None] };
+        let demonstration = DemonstrationId { file: FileId(3), index: 1 };
+        let message = FromWorker::Track { demonstration, track };
+        let text = serde_json::to_string(&message).unwrap();
+        assert_eq!(serde_json::from_str::<FromWorker>(&text).unwrap(), message);
+    }
+
+    #[test]
+    fn a_column_is_one_feature_over_time() {
+        let values = vec![Some(1.0), Some(2.0), None, Some(4.0)];
+        let track = Track { frames: 2, stride: 1, features: 2, values };
+        assert_eq!(track.column(0).collect::<Vec<_>>(), [Some(1.0), None]);
+        assert_eq!(track.column(1).collect::<Vec<_>>(), [Some(2.0), Some(4.0)]);
+    }
+}

@@ -1,0 +1,138 @@
+//! The demonstrations that the worker keeps, and the answers that it gives from them. No browser here.
+
+use std::collections::BTreeMap;
+
+use goalgraph::demonstration::Demonstration;
+use goalgraph::export::{ExportFormat, export};
+use goalgraph::import::{Header, import};
+use goalgraph::infer::{InferRequest, infer};
+use goalgraph::specification::Specification;
+use goalgraph::sub_goal::{Cluster, Eliminated};
+
+use super::thin::{cloud, track};
+use crate::protocol::{
+    DemonstrationEntry, DemonstrationId, EliminatedCluster, FileContent, FileId, FromWorker, Outcome,
+    Placement, ToWorker,
+};
+
+/// The demonstrations of each file.
+#[derive(Default)]
+pub(super) struct Recordings(BTreeMap<FileId, Vec<Demonstration>>);
+
+impl Recordings {
+    /// Does what `request` asks for; `bytes` are those of the file beside it.
+    pub(super) fn serve(
+        &mut self,
+        request: ToWorker,
+        bytes: Option<Result<Vec<u8>, String>>,
+        answer: &mut dyn FnMut(FromWorker),
+    ) {
+        match request {
+            ToWorker::Read { file, name } => {
+                let bytes = bytes.unwrap_or_else(|| Err("there is no file beside the request".to_owned()));
+                let result = bytes.and_then(|bytes| self.read(file, &name, &bytes));
+                answer(FromWorker::Read { file, result });
+            }
+            ToWorker::Forget { file } => {
+                self.0.remove(&file);
+            }
+            ToWorker::Infer { files, request } => {
+                let outcome = self.infer(&files, &request, answer);
+                answer(FromWorker::Inferred(outcome.map(Box::new)));
+            }
+            ToWorker::Track { demonstration } => {
+                if let Some(track) = self.demonstration(demonstration).map(track) {
+                    answer(FromWorker::Track { demonstration, track });
+                }
+            }
+            ToWorker::LayOut { specification } => answer(FromWorker::LaidOut(placements(&specification))),
+            ToWorker::DrawSvg { specification } => answer(FromWorker::Svg(svg(&specification))),
+        }
+    }
+
+    fn read(&mut self, file: FileId, name: &str, bytes: &[u8]) -> Result<FileContent, String> {
+        let demonstrations = import(name, bytes, Header::Detect).map_err(|error| error.to_string())?;
+        let first = demonstrations.first().ok_or("there are no demonstrations in it")?;
+        let content = FileContent {
+            features: first.features().to_vec(),
+            demonstrations: demonstrations.iter().map(entry).collect(),
+        };
+        self.0.insert(file, demonstrations);
+        Ok(content)
+    }
+
+    fn demonstration(&self, id: DemonstrationId) -> Option<&Demonstration> {
+        self.0.get(&id.file)?.get(id.index)
+    }
+
+    fn infer(
+        &mut self,
+        files: &[FileId],
+        request: &InferRequest,
+        answer: &mut dyn FnMut(FromWorker),
+    ) -> Result<Outcome, String> {
+        let (demonstrations, counts) = self.take_in_order(files);
+        let outcome = outcome(&demonstrations, request, answer);
+        self.put_back(demonstrations, &counts);
+        outcome
+    }
+
+    /// All demonstrations of `files` in one row, and how many each file has. They are moved: there may be gigabytes.
+    fn take_in_order(&mut self, files: &[FileId]) -> (Vec<Demonstration>, Vec<(FileId, usize)>) {
+        let mut row = Vec::new();
+        let mut counts = Vec::new();
+        for &file in files {
+            let demonstrations = self.0.remove(&file).unwrap_or_default();
+            counts.push((file, demonstrations.len()));
+            row.extend(demonstrations);
+        }
+        (row, counts)
+    }
+
+    fn put_back(&mut self, row: Vec<Demonstration>, counts: &[(FileId, usize)]) {
+        let mut row = row.into_iter();
+        for &(file, count) in counts {
+            self.0.insert(file, row.by_ref().take(count).collect());
+        }
+    }
+}
+
+fn outcome(
+    demonstrations: &[Demonstration],
+    request: &InferRequest,
+    answer: &mut dyn FnMut(FromWorker),
+) -> Result<Outcome, String> {
+    let progress = &mut |progress: &_| answer(FromWorker::Progress(Clone::clone(progress)));
+    let inference = infer(demonstrations, request, progress).map_err(|error| error.to_string())?;
+    let subsets = &inference.specification.subsets;
+    let clouds = subsets.iter().map(|subset| cloud(demonstrations, &subset.name, &subset.features)).collect();
+    Ok(Outcome {
+        specification: inference.specification.to_json(),
+        eliminated: inference.eliminated.into_iter().map(cluster).collect(),
+        notes: inference.notes,
+        clouds,
+    })
+}
+
+fn entry(demonstration: &Demonstration) -> DemonstrationEntry {
+    let frames = demonstration.frames();
+    let undefined_in = |frame| demonstration.frame(frame).iter().filter(|value| value.is_nan()).count();
+    let undefined = (0..frames).map(undefined_in).sum();
+    DemonstrationEntry { name: demonstration.name().to_owned(), frames, undefined }
+}
+
+fn cluster(eliminated: Eliminated) -> EliminatedCluster {
+    let Eliminated { cluster: Cluster { ball, frames, demonstrations }, reason } = eliminated;
+    let (subset, center, radius) = (ball.subset, ball.center, ball.radius);
+    EliminatedCluster { subset, center, radius, frames, demonstrations, reason }
+}
+
+fn placements(specification: &str) -> Result<Vec<Placement>, String> {
+    let specification = Specification::from_json(specification).map_err(|error| error.to_string())?;
+    Ok(super::place::place(&specification))
+}
+
+fn svg(specification: &str) -> Result<String, String> {
+    let specification = Specification::from_json(specification).map_err(|error| error.to_string())?;
+    Ok(export(&specification, ExportFormat::Svg))
+}

@@ -1,0 +1,55 @@
+//! Sub-goals put in the order of the alphabet.
+
+use super::reading::Reading;
+use crate::pdfa::{Symbol, Word};
+use crate::specification::SubGoal;
+use crate::sub_goal::Cluster;
+use crate::word::{Reached, read_word};
+
+/// The sub-goals in order, and where each was reached.
+#[derive(Default)]
+pub(super) struct Alphabet {
+    pub(super) sub_goals: Vec<SubGoal>,
+    /// For each sub-goal and demonstration the frames in which it holds.
+    reached: Vec<Vec<Vec<usize>>>,
+}
+
+impl Alphabet {
+    /// Adds the sub-goals of subset `index`, in the order of the earliest frame in which they are first reached; ties go
+    /// to the smaller center.
+    pub(super) fn add_subset(&mut self, reading: &Reading, index: usize, found: Vec<Cluster>) {
+        let (recording, _) = reading.subset(index);
+        let reached = |cluster: Cluster| (reading.frames_reached(index, &cluster.ball), cluster);
+        let mut clusters: Vec<(Vec<Vec<usize>>, Cluster)> = found.into_iter().map(reached).collect();
+        clusters.sort_by(|(a_frames, a), (b_frames, b)| {
+            let by_center = || {
+                let pairs = a.ball.center.iter().zip(&b.ball.center);
+                pairs.map(|(x, y)| x.total_cmp(y)).find(|order| order.is_ne())
+            };
+            let by_frame = earliest(a_frames).cmp(&earliest(b_frames));
+            by_frame.then_with(|| by_center().unwrap_or(std::cmp::Ordering::Equal))
+        });
+        for (number, (frames, cluster)) in clusters.into_iter().enumerate() {
+            self.sub_goals.push(SubGoal {
+                id: Symbol(self.sub_goals.len() as u32),
+                name: format!("{} {}", recording.name, number + 1),
+                ball: Some(cluster.ball),
+                frames: cluster.frames,
+                demonstrations: cluster.demonstrations,
+            });
+            self.reached.push(frames);
+        }
+    }
+
+    /// The word of a demonstration.
+    pub(super) fn word(&self, demonstration: usize) -> Word {
+        let pairs = self.sub_goals.iter().zip(&self.reached);
+        let reached = pairs
+            .map(|(sub_goal, frames)| Reached { symbol: sub_goal.id, frames: frames[demonstration].clone() });
+        read_word(&reached.collect::<Vec<_>>())
+    }
+}
+
+fn earliest(frames: &[Vec<usize>]) -> usize {
+    frames.iter().filter_map(|frames| frames.first()).min().copied().unwrap_or(usize::MAX)
+}

@@ -1,0 +1,67 @@
+//! What speaks against inferring at all.
+
+use std::collections::BTreeSet;
+
+use super::InferError;
+use crate::demonstration::{Demonstration, Feature};
+use crate::subset::{Setting, SubsetRequest};
+
+/// All demonstrations must have the features of the first, in any order.
+pub(super) fn check_same_features(demonstrations: &[Demonstration]) -> Result<(), InferError> {
+    let names = |demonstration: &Demonstration| -> BTreeSet<String> {
+        demonstration.features().iter().map(|feature| feature.name.clone()).collect()
+    };
+    let first = names(&demonstrations[0]);
+    for demonstration in &demonstrations[1..] {
+        let other = names(demonstration);
+        let difference = match (first.difference(&other).next(), other.difference(&first).next()) {
+            (Some(missing), _) => format!("{missing:?} is missing"),
+            (None, Some(added)) => format!("{added:?} is new"),
+            (None, None) => continue,
+        };
+        let (name, first) = (demonstration.name().to_owned(), demonstrations[0].name().to_owned());
+        return Err(InferError::DifferentFeatures { name, first, difference });
+    }
+    Ok(())
+}
+
+/// Every subset must be one of the features, with parameters that DBSCAN takes.
+pub(super) fn check_subsets(subsets: &[SubsetRequest], features: &[Feature]) -> Result<(), InferError> {
+    let known: BTreeSet<&str> = features.iter().map(|feature| feature.name.as_str()).collect();
+    let mut names = BTreeSet::new();
+    for subset in subsets {
+        if let Some(feature) = subset.features.iter().find(|name| !known.contains(name.as_str())) {
+            let known = features.iter().map(|feature| feature.name.as_str()).collect::<Vec<_>>().join(", ");
+            return Err(InferError::UnknownFeature {
+                subset: subset.name.clone(),
+                feature: feature.clone(),
+                known,
+            });
+        }
+        if let Some(message) = objection(subset, &mut names) {
+            return Err(InferError::Subset { subset: subset.name.clone(), message });
+        }
+    }
+    Ok(())
+}
+
+/// Why a subset cannot be searched, if it cannot.
+fn objection<'a>(subset: &'a SubsetRequest, names: &mut BTreeSet<&'a str>) -> Option<String> {
+    let distinct: BTreeSet<&String> = subset.features.iter().collect();
+    if subset.features.is_empty() {
+        return Some("it has no features".to_owned());
+    }
+    if distinct.len() < subset.features.len() {
+        return Some("it names a feature twice".to_owned());
+    }
+    if !names.insert(&subset.name) {
+        return Some("there are two subsets of this name".to_owned());
+    }
+    match (subset.epsilon, subset.min_points) {
+        (Setting::Fixed(epsilon), _) if !(epsilon > 0.0 && epsilon.is_finite()) => {
+            Some(format!("epsilon is {epsilon}, but must be a finite number above 0"))
+        }
+        (_, Setting::Fixed(0)) => Some("min_points is 0, but must be at least 1".to_owned()),
+        _ => None,
+    }
+}

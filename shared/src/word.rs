@@ -1,0 +1,50 @@
+//! Words: the sub-goals that a demonstration completed, in order.
+
+use crate::pdfa::{Symbol, Word};
+
+/// When a sub-goal was reached: the frames in which it holds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reached {
+    /// The sub-goal's symbol.
+    pub symbol: Symbol,
+    /// Indices of the frames in which the partial state counts as being in its ball, ascending.
+    pub frames: Vec<usize>,
+}
+
+/// Reads the word of a demonstration: the paper's Algorithm 1.
+///
+/// For every frame in order, the first sub-goal in the order of `reached` that is not yet in the word and holds in the
+/// frame is appended; at most one symbol per frame.
+///
+/// # Complexity
+///
+/// O(F log F + F · A) for F frames in which any of the A sub-goals holds.
+///
+/// # Example
+///
+/// ```
+/// use goalgraph::pdfa::Symbol;
+/// use goalgraph::word::{Reached, read_word};
+///
+/// let (a, b) = (Symbol(0), Symbol(1));
+/// let reached = [Reached { symbol: a, frames: vec![7, 8] }, Reached { symbol: b, frames: vec![3, 7] }];
+/// assert_eq!(read_word(&reached), [b, a]);
+/// ```
+pub fn read_word(reached: &[Reached]) -> Word {
+    let mut frames: Vec<(usize, usize)> = Vec::new();
+    for (position, sub_goal) in reached.iter().enumerate() {
+        frames.extend(sub_goal.frames.iter().map(|&frame| (frame, position)));
+    }
+    frames.sort_unstable();
+    let mut word = Word::new();
+    let mut in_word = vec![false; reached.len()];
+    let mut last_frame = None;
+    for (frame, position) in frames {
+        if last_frame != Some(frame) && !in_word[position] {
+            in_word[position] = true;
+            word.push(reached[position].symbol);
+            last_frame = Some(frame);
+        }
+    }
+    word
+}

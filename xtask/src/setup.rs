@@ -1,0 +1,112 @@
+//! What building and testing need, installed where it is missing.
+//!
+//! Everything but Debian packages goes into the project's own cache folder. A second run only asks for versions.
+
+mod apt;
+mod binaryen;
+mod browser_tests;
+mod cargo_tools;
+mod chromium;
+mod debian;
+mod wasm_target;
+
+use std::env;
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::process::Command;
+
+use anyhow::{Context, Result};
+
+use crate::process::{self, first_line};
+use crate::progress::say;
+use crate::project::Project;
+use wasm_target::WasmTarget;
+
+/// What the app is built with.
+pub(crate) struct Tools {
+    root: PathBuf,
+    target: PathBuf,
+    path: OsString,
+    wasm_target: WasmTarget,
+}
+
+/// What the browser tests need on top.
+pub(crate) struct TestTools {
+    /// What the app is built with.
+    pub(crate) build: Tools,
+    /// The browser.
+    pub(crate) chromium: PathBuf,
+}
+
+/// Installs what building the app and the server needs.
+///
+/// # Errors
+///
+/// When something is missing and cannot be installed.
+pub(crate) fn for_build(project: &Project) -> Result<Tools> {
+    check_node()?;
+    let wasm_target = wasm_target::ensure(project)?;
+    cargo_tools::ensure(project)?;
+    let binaryen = binaryen::ensure(project)?;
+    let tools = Tools {
+        root: project.root.clone(),
+        target: project.target.clone(),
+        path: wasm_target.search_path([project.cache.join("bin"), binaryen])?,
+        wasm_target,
+    };
+    process::run_quietly(process::cargo(&project.root).args(["fetch", "--locked"]))
+        .context("cannot fetch the crates that Cargo.lock names")?;
+    say(&format!("set-up: the app is compiled with {}", tools.wasm_target));
+    Ok(tools)
+}
+
+/// Installs what building and the browser tests need.
+///
+/// # Errors
+///
+/// When something is missing and cannot be installed.
+pub(crate) fn for_test(project: &Project) -> Result<TestTools> {
+    let build = for_build(project)?;
+    let chromium = chromium::ensure()?;
+    browser_tests::ensure(project)?;
+    say(&format!("set-up: the browser is {}", chromium.display()));
+    Ok(TestTools { build, chromium })
+}
+
+impl Tools {
+    /// Trunk, with the compiler and the tools that belong to it.
+    pub(crate) fn trunk(&self) -> Command {
+        let mut command = Command::new("trunk");
+        self.prepare(&mut command);
+        command.env("TRUNK_SKIP_VERSION_CHECK", "true");
+        command
+    }
+
+    /// Clippy of the compiler that builds the app.
+    pub(crate) fn clippy(&self) -> Command {
+        let mut command = self.wasm_target.clippy();
+        self.prepare(&mut command);
+        command
+    }
+
+    fn prepare(&self, command: &mut Command) {
+        process::forget_own_package(command);
+        command.current_dir(&self.root).env("PATH", &self.path);
+        self.wasm_target.prepare(command, &self.target);
+    }
+}
+
+fn check_node() -> Result<()> {
+    for program in ["node", "npm"] {
+        first_line(Command::new(program).arg("--version"))
+            .with_context(|| format!("`{program}` is missing: install Node.js 20 or later, with npm"))?;
+    }
+    Ok(())
+}
+
+/// `first`, then the folders of `PATH`.
+fn search_path(first: impl IntoIterator<Item = PathBuf>) -> Result<OsString> {
+    let inherited = env::var_os("PATH").unwrap_or_default();
+    env::join_paths(first.into_iter().chain(env::split_paths(&inherited)))
+        .context("the cache folder's name must not hold a colon: set GOALGRAPH_CACHE to another folder")
+}
