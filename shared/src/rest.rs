@@ -223,9 +223,10 @@ fn moved_within(
 /// A dwell that is shorter than this share of a typical one is a pause, unless the thing was left alone.
 const BRIEF: f64 = 0.3;
 
-/// A dwell that is shorter than this share of a long one, and no further from a longer neighbor than this share of the
-/// travel, is a step on the way to that.
-const STEP: f64 = 0.6;
+/// A dwell that is shorter than this share of a long one, or that share of the shortest time for which things are left
+/// alone, and no further from a longer neighbor than this share of the travel, is a step on the way to that.
+const STEP: f64 = 0.35;
+const STEP_LEFT_ALONE: f64 = 0.6;
 const STEP_REACH: f64 = 0.15;
 
 /// Turns into pauses what is not known to be left alone and is brief, a step, or held by what its ways say.
@@ -235,7 +236,7 @@ fn tell_pauses(recording: &SubsetRecording, stays: &mut SubsetStays) {
     }
     let unclear: Vec<f64> = frames_of(recording, stays, |stay| stay.kind == Kind::Rest);
     let brief = BRIEF * quantile(unclear.clone(), 0.75);
-    let step = STEP * quantile(unclear, 0.75).max(stays.shortest_left);
+    let step = (STEP * quantile(unclear, 0.75)).max(STEP_LEFT_ALONE * stays.shortest_left);
     let step_reach = STEP_REACH * stays.scales.travel;
     for (track, stays) in recording.tracks.iter().zip(&mut stays.demonstrations) {
         let is_pause = |index: usize| {
@@ -317,6 +318,6 @@ fn is_step(track: &Track, stays: &[Stay], index: usize, step: f64, reach: f64) -
         [index.checked_sub(1), Some(index + 1)].into_iter().flatten().filter_map(|at| stays.get(at));
     neighbors.into_iter().any(|neighbor| {
         distance(&neighbor.dwell.center, &stays[index].dwell.center) <= reach
-            && frames < step.min(STEP * neighbor.dwell.span.len() as f64)
+            && frames < step.min(STEP_LEFT_ALONE * neighbor.dwell.span.len() as f64)
     })
 }

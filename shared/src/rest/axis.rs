@@ -30,10 +30,15 @@ const SAME_DIRECTION: f64 = 0.75;
 /// How far from a dwell directions are looked for, as shares of the travel.
 const REACHES: [f64; 3] = [0.05, 0.1, 0.2];
 
-/// By which multiples of the way that it is carried a thing is typically lifted, where several things agree on the
-/// axis and where one alone shows it.
+/// Places nearer to each other than this share of the travel are counted once.
+const SAME_PLACE: f64 = 0.1;
+
+/// By which multiples of the way that it is carried a thing is typically lifted.
 const LIFT_PER_CARRY: std::ops::Range<f64> = 0.05..2.0;
-const LIFT_PER_CARRY_ALONE: std::ops::Range<f64> = 0.05..1.0;
+
+/// How closely they must agree where one thing alone shows it and is lifted further than it is carried, or is put down at
+/// one place only: its way may bend back by chance.
+const AGREEMENT_ALONE: f64 = 0.99;
 
 /// Cosine of the largest angle at which a direction still counts as down or up.
 const ALONG: f64 = 0.6;
@@ -144,10 +149,28 @@ fn best_direction(
         let lifts =
             members.iter().flat_map(|&member| lifts_per_carry(&recordings[member], &subsets[member], &down));
         let lift = median(lifts.collect());
-        let usual = if members.len() > 1 { LIFT_PER_CARRY } else { LIFT_PER_CARRY_ALONE };
-        (agreement > AGREEMENT && usual.contains(&lift)).then_some((agreement, (down, share)))
+        let is_clear = members.len() > 1 || (lift < 1.0 && places_shown(subsets, members) > 2);
+        let needed = if is_clear { AGREEMENT } else { AGREEMENT_ALONE };
+        (agreement > needed && LIFT_PER_CARRY.contains(&lift)).then_some((agreement, (down, share)))
     };
     REACHES.into_iter().filter_map(at_share).max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, best)| best)
+}
+
+/// At how many places things are seen to be put down or taken up: those where they are left alone, and the start of each.
+fn places_shown(subsets: &[SubsetStays], members: &[usize]) -> usize {
+    let places_of = |member: &usize| {
+        let subset = &subsets[*member];
+        let mut places: Vec<&[f64]> = Vec::new();
+        for stay in subset.demonstrations.iter().flatten().filter(|stay| stay.kind == Kind::LeftAlone) {
+            let known =
+                |place: &&[f64]| distance(place, &stay.dwell.center) <= SAME_PLACE * subset.scales.travel;
+            if !places.iter().any(known) {
+                places.push(&stay.dwell.center);
+            }
+        }
+        places.len() + 1
+    };
+    members.iter().map(places_of).sum()
 }
 
 /// The directions in which a thing comes to where it is left alone, and those against which it leaves.

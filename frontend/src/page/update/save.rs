@@ -21,7 +21,7 @@ impl App {
                 self.save("dot", "text/vnd.graphviz", &text);
             }
             ExportFormat::Svg => {
-                self.post(&ToWorker::DrawSvg { specification: specification.to_json() }, None)
+                self.post(&ToWorker::DrawSvg { specification: specification.to_json() }, None);
             }
         }
     }

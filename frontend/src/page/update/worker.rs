@@ -97,7 +97,7 @@ impl App {
             }),
             FromWorker::Inferred(result) => self.learned(result),
             FromWorker::Track { demonstration, track } => {
-                model.track.set(Some((demonstration, Arc::new(track))))
+                model.track.set(Some((demonstration, Arc::new(track))));
             }
             FromWorker::LaidOut(Ok(placements)) => {
                 model.placements.set(placements.into_iter().map(Arc::new).collect());

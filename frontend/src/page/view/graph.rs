@@ -12,7 +12,7 @@ use goalgraph::specification::Specification;
 use leptos::prelude::*;
 use web_sys::KeyboardEvent;
 
-use super::viewport::frame;
+use super::viewport::{frame, reveal};
 use crate::page::model::{Selection, Viewport};
 use crate::page::text;
 use crate::page::update::{Action, App};
@@ -60,6 +60,7 @@ impl Drawing {
         let selection = Selection::Transition(source, symbol);
         let preferred = move || app.derived.followed.with(|plan| follows(plan.as_ref(), source, symbol));
         let left_out = move || app.model.unavailable.with(|unavailable| unavailable.contains(&symbol));
+        let place = (placed.label_x, placed.label_y);
         let shaft = placed.arrow.shaft.clone();
         let (x, y) = (placed.label_x.to_string(), placed.label_y);
         Some(view! {
@@ -73,6 +74,7 @@ impl Drawing {
                 aria-label=text::transition_label(&self.specification, source, symbol, chance)
                 aria-pressed=move || (app.model.selection.get() == Some(selection)).to_string()
                 data-transition=format!("{} {} {}", placed.source, placed.symbol, placed.target)
+                on:focus=move |_| reveal(app, place)
                 on:click=move |_| app.act(Action::Select(Some(selection)))
                 on:keydown=move |event| press(app, &event, selection)
             >
@@ -91,6 +93,7 @@ impl Drawing {
         let drawing = state_drawing(&self.specification, &self.probabilities, id, state);
         let app = self.app;
         let selection = Selection::State(id);
+        let place = (placed.x, placed.y);
         let preferred = move || {
             app.derived.followed.with(|plan| plan.as_ref().is_some_and(|plan| plan.states.contains(&id)))
         };
@@ -111,6 +114,7 @@ impl Drawing {
                 aria-pressed=move || (app.model.selection.get() == Some(selection)).to_string()
                 data-state=placed.id.clone()
                 transform=format!("translate({:.1} {:.1})", placed.x, placed.y)
+                on:focus=move |_| reveal(app, place)
                 on:click=move |_| app.act(Action::Select(Some(selection)))
                 on:keydown=move |event| press(app, &event, selection)
             >

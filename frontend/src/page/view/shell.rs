@@ -19,8 +19,15 @@ pub(crate) fn shell(app: App) -> impl IntoView {
     listen_for_drops(app);
     view! {
         {bar(app)}
-        <main id="panel" class="panel" role="tabpanel" aria-labelledby=move || tab_id(app.model.tab.get())>
-            {move || panel(app)}
+        <main class="panel">
+            <div
+                id="panel"
+                class="panel-content"
+                role="tabpanel"
+                aria-labelledby=move || tab_id(app.model.tab.get())
+            >
+                {move || panel(app)}
+            </div>
         </main>
         {status(app)}
         {file_input(app)}

@@ -32,6 +32,18 @@ pub(crate) fn fit(app: App) {
     app.model.viewport.set(Some(Viewport { scale, x, y }));
 }
 
+/// Brings a place of the drawing into the frame when it is outside, so that what has the focus is seen.
+pub(crate) fn reveal(app: App, (x, y): (f64, f64)) {
+    let (width, height) = app.model.frame.get_untracked();
+    let Some(viewport) = app.model.viewport.get_untracked() else { return };
+    let inside = |place: f64, length: f64| (MARGIN..=length - MARGIN).contains(&place);
+    let (left, top) = (x * viewport.scale + viewport.x, y * viewport.scale + viewport.y);
+    if !inside(left, width) || !inside(top, height) {
+        let (x, y) = (viewport.x + width / 2.0 - left, viewport.y + height / 2.0 - top);
+        app.model.viewport.set(Some(Viewport { x, y, ..viewport }));
+    }
+}
+
 /// Zooms at the middle of the frame.
 pub(crate) fn zoom(app: App, factor: f64) {
     let (width, height) = app.model.frame.get_untracked();
