@@ -1,14 +1,10 @@
-import { mkdtempSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { join, resolve } from "node:path";
+import { resolve } from "node:path";
 import { defineConfig } from "@playwright/test";
 
 // `cargo xtask test` sets these; the defaults are for `npm test` after `cargo xtask setup`.
 const server = resolve(import.meta.dirname, process.env.GOALGRAPH_BIN ?? "../target/debug/goalgraph");
 const chromium = process.env.GOALGRAPH_CHROMIUM ?? "/usr/bin/chromium";
 const port = process.env.GOALGRAPH_PORT ?? "17700";
-// Kept in the environment: this file is read again in every worker, and all must agree.
-const data = (process.env.GOALGRAPH_E2E_DATA ??= mkdtempSync(join(tmpdir(), "goalgraph-e2e-")));
 
 const baseURL = `http://127.0.0.1:${port}`;
 const isRoot = process.getuid?.() === 0;
@@ -44,7 +40,7 @@ export default defineConfig({
     },
   },
   webServer: {
-    command: `"${server}" serve --listen 127.0.0.1:${port} --data "${data}"`,
+    command: `"${server}" serve --listen 127.0.0.1:${port}`,
     url: baseURL,
     reuseExistingServer: false,
     timeout: 30_000,

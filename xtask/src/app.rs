@@ -37,10 +37,7 @@ pub(crate) enum Profile {
 pub(crate) fn build(project: &Project, tools: &Tools) -> Result<()> {
     say("app: trunk build");
     let profile = ["--cargo-profile", "wasm-release"];
-    run(tools
-        .trunk()
-        .args(["build", "--release", "--offline", "--locked"])
-        .args(profile))?;
+    run(tools.trunk().args(["build", "--release", "--offline", "--locked"]).args(profile))?;
     for file in compress::compress_folder(&project.dist())? {
         if file.path.extension().is_some_and(|it| it == "wasm") {
             say(&format!("app: {file}"));
@@ -118,8 +115,8 @@ mod tests {
             assert_eq!(listen_address(&arguments), expected, "{line}");
         };
         check("", None);
-        check("--data here", None);
+        check("--verbose", None);
         check("--listen 127.0.0.1:80", Some("127.0.0.1:80"));
-        check("--data here --listen=[::1]:80", Some("[::1]:80"));
+        check("--verbose --listen=[::1]:80", Some("[::1]:80"));
     }
 }

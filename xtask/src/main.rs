@@ -33,10 +33,10 @@ struct Subcommand {
 }
 
 /// What `cargo xtask` can do, in the order of the help.
-const SUBCOMMANDS: [Subcommand; 4] = [
+const SUBCOMMANDS: [Subcommand; 5] = [
     Subcommand {
         name: "run",
-        arguments: "[--listen ADDRESS] [--data DIR]",
+        arguments: "[--listen ADDRESS]",
         help: "build everything and start the server",
         run: |project, arguments| {
             let tools = setup::for_build(project)?;
@@ -71,15 +71,13 @@ const SUBCOMMANDS: [Subcommand; 4] = [
         help: "install what building and testing need",
         run: |project, _| setup::for_test(project).map(|_| ExitCode::SUCCESS),
     },
+    Subcommand {
+        name: "samples",
+        arguments: "",
+        help: "write assets/samples/ again, the same bytes every time",
+        run: |project, _| samples::regenerate(project).map(|()| ExitCode::SUCCESS),
+    },
 ];
-
-/// Subcommands that are not ready to be announced.
-const UNLISTED: [Subcommand; 1] = [Subcommand {
-    name: "samples",
-    arguments: "",
-    help: "write assets/samples/ again",
-    run: |project, _| samples::regenerate(project).map(|()| ExitCode::SUCCESS),
-}];
 
 fn main() -> ExitCode {
     progress::start();
@@ -92,15 +90,12 @@ fn main() -> ExitCode {
         println!("{}", usage());
         return ExitCode::SUCCESS;
     }
-    let Some(subcommand) = SUBCOMMANDS.iter().chain(&UNLISTED).find(|it| it.name == name) else {
+    let Some(subcommand) = SUBCOMMANDS.iter().find(|it| it.name == name) else {
         eprintln!("there is no subcommand `{name}`\n\n{}", usage());
         return ExitCode::from(2);
     };
     if subcommand.arguments.is_empty() && !rest.is_empty() {
-        eprintln!(
-            "`cargo xtask {name}` takes no arguments, but got `{}`",
-            rest.join(" ")
-        );
+        eprintln!("`cargo xtask {name}` takes no arguments, but got `{}`", rest.join(" "));
         return ExitCode::from(2);
     }
     match Project::find().and_then(|project| (subcommand.run)(&project, rest)) {

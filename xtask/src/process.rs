@@ -47,10 +47,7 @@ pub(crate) fn run(command: &mut Command) -> Result<()> {
 ///
 /// When it cannot be started or fails; its last lines are then on standard error.
 pub(crate) fn run_quietly(command: &mut Command) -> Result<()> {
-    let output = command
-        .stdin(Stdio::null())
-        .output()
-        .with_context(|| cannot_start(command))?;
+    let output = command.stdin(Stdio::null()).output().with_context(|| cannot_start(command))?;
     if !output.status.success() {
         let printed = [output.stdout, output.stderr].concat();
         let printed = String::from_utf8_lossy(&printed);
@@ -69,10 +66,7 @@ pub(crate) fn run_quietly(command: &mut Command) -> Result<()> {
 /// When it cannot be started, fails or takes too long.
 pub(crate) fn run_within(limit: Duration, command: &mut Command) -> Result<()> {
     let started = Instant::now();
-    let mut child = command
-        .stdin(Stdio::null())
-        .spawn()
-        .with_context(|| cannot_start(command))?;
+    let mut child = command.stdin(Stdio::null()).spawn().with_context(|| cannot_start(command))?;
     loop {
         if let Some(status) = child.try_wait()? {
             return verdict(command, status);
@@ -80,11 +74,7 @@ pub(crate) fn run_within(limit: Duration, command: &mut Command) -> Result<()> {
         if started.elapsed() > limit {
             child.kill()?;
             child.wait()?;
-            bail!(
-                "`{}` was still running after {} s",
-                shown(command),
-                limit.as_secs()
-            );
+            bail!("`{}` was still running after {} s", shown(command), limit.as_secs());
         }
         thread::sleep(Duration::from_millis(50));
     }
@@ -129,18 +119,13 @@ pub(crate) fn run_watched(command: &mut Command, mut see: impl FnMut(&str)) -> R
 pub(crate) fn first_line(command: &mut Command) -> Option<String> {
     let output = command.stdin(Stdio::null()).stderr(Stdio::null()).output().ok()?;
     let printed = String::from_utf8(output.stdout).ok()?;
-    output
-        .status
-        .success()
-        .then(|| printed.lines().next().unwrap_or_default().trim().to_owned())
+    output.status.success().then(|| printed.lines().next().unwrap_or_default().trim().to_owned())
 }
 
 /// Where a program lies on `PATH`.
 pub(crate) fn on_path(program: &str) -> Option<PathBuf> {
     let folders = env::var_os("PATH")?;
-    env::split_paths(&folders)
-        .map(|folder| folder.join(program))
-        .find(|file| file.is_file())
+    env::split_paths(&folders).map(|folder| folder.join(program)).find(|file| file.is_file())
 }
 
 fn verdict(command: &Command, status: ExitStatus) -> Result<()> {
@@ -158,10 +143,7 @@ fn cannot_start(command: &Command) -> String {
 fn shown(command: &Command) -> String {
     let program = Path::new(command.get_program());
     let name = program.file_name().unwrap_or(program.as_os_str());
-    let words: Vec<_> = std::iter::once(name)
-        .chain(command.get_args())
-        .map(OsStr::to_string_lossy)
-        .collect();
+    let words: Vec<_> = std::iter::once(name).chain(command.get_args()).map(OsStr::to_string_lossy).collect();
     words.join(" ")
 }
 
@@ -185,10 +167,9 @@ mod tests {
     #[test]
     fn a_watched_program_gives_the_lines_of_both_streams() {
         let mut seen = Vec::new();
-        run_watched(
-            Command::new("sh").args(["-c", "echo one; echo two >&2"]),
-            |line| seen.push(line.to_owned()),
-        )
+        run_watched(Command::new("sh").args(["-c", "echo one; echo two >&2"]), |line| {
+            seen.push(line.to_owned())
+        })
         .expect("sh runs");
         seen.sort();
         assert_eq!(seen, ["one", "two"]);

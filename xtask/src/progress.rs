@@ -37,9 +37,6 @@ mod tests {
     #[test]
     fn durations_are_as_exact_as_a_reader_needs() {
         let text = |milliseconds| duration(Duration::from_millis(milliseconds));
-        assert_eq!(
-            [text(420), text(12_900), text(187_000)],
-            ["0.4s", "12s", "3m 07s"]
-        );
+        assert_eq!([text(420), text(12_900), text(187_000)], ["0.4s", "12s", "3m 07s"]);
     }
 }

@@ -34,10 +34,7 @@ impl Project {
             None => user_cache()?.join("goalgraph"),
         };
         std::fs::create_dir_all(&cache).with_context(|| {
-            format!(
-                "cannot make {}: set GOALGRAPH_CACHE to a folder you can write in",
-                cache.display()
-            )
+            format!("cannot make {}: set GOALGRAPH_CACHE to a folder you can write in", cache.display())
         })?;
         Ok(Self { root, target, cache })
     }
@@ -60,7 +57,5 @@ fn user_cache() -> Result<PathBuf> {
 }
 
 fn folder_from(variable: &str) -> Option<PathBuf> {
-    env::var_os(variable)
-        .filter(|value| !value.is_empty())
-        .map(PathBuf::from)
+    env::var_os(variable).filter(|value| !value.is_empty()).map(PathBuf::from)
 }

@@ -29,46 +29,18 @@ struct Check {
 }
 
 const CHECKS: [Check; 8] = [
-    Check {
-        name: "format",
-        run: format,
-        needs: &[],
-    },
-    Check {
-        name: "clippy",
-        run: clippy,
-        needs: &[],
-    },
-    Check {
-        name: "clippy, app",
-        run: clippy_app,
-        needs: &[],
-    },
-    Check {
-        name: "Rust tests",
-        run: rust_tests,
-        needs: &[],
-    },
-    Check {
-        name: "Rust examples",
-        run: rust_examples,
-        needs: &[],
-    },
-    Check {
-        name: "app",
-        run: |project, tools, _| app::build(project, &tools.build),
-        needs: &[],
-    },
+    Check { name: "format", run: format, needs: &[] },
+    Check { name: "clippy", run: clippy, needs: &[] },
+    Check { name: "clippy, app", run: clippy_app, needs: &[] },
+    Check { name: "Rust tests", run: rust_tests, needs: &[] },
+    Check { name: "Rust examples", run: rust_examples, needs: &[] },
+    Check { name: "app", run: |project, tools, _| app::build(project, &tools.build), needs: &[] },
     Check {
         name: "server",
         run: |project, _, _| app::build_server(project, Profile::Debug),
         needs: &["app"],
     },
-    Check {
-        name: "browser tests",
-        run: browser_tests,
-        needs: &["server"],
-    },
+    Check { name: "browser tests", run: browser_tests, needs: &["server"] },
 ];
 
 /// Runs every check, also after one has failed, and prints a summary.
@@ -89,9 +61,7 @@ pub(crate) fn run_all(project: &Project, tools: &TestTools) -> Result<ExitCode> 
 fn run_check(check: &Check, project: &Project, tools: &TestTools, before: &[Report]) -> Report {
     let started = Instant::now();
     let mut tally = Tally::default();
-    let blocked = before
-        .iter()
-        .any(|it| it.outcome != Outcome::Ok && check.needs.contains(&it.name));
+    let blocked = before.iter().any(|it| it.outcome != Outcome::Ok && check.needs.contains(&it.name));
     let outcome = if blocked {
         Outcome::Skipped
     } else {
@@ -104,12 +74,7 @@ fn run_check(check: &Check, project: &Project, tools: &TestTools, before: &[Repo
             }
         }
     };
-    Report {
-        name: check.name,
-        outcome,
-        tally,
-        time: started.elapsed(),
-    }
+    Report { name: check.name, outcome, tally, time: started.elapsed() }
 }
 
 fn format(project: &Project, _: &TestTools, _: &mut Tally) -> Result<()> {
@@ -117,10 +82,11 @@ fn format(project: &Project, _: &TestTools, _: &mut Tally) -> Result<()> {
 }
 
 fn clippy(project: &Project, _: &TestTools, _: &mut Tally) -> Result<()> {
-    run(cargo(&project.root)
-        .args(["clippy", "--locked"])
-        .args(NATIVE_CRATES)
-        .args(["--all-targets", "--", "-Dwarnings"]))
+    run(cargo(&project.root).args(["clippy", "--locked"]).args(NATIVE_CRATES).args([
+        "--all-targets",
+        "--",
+        "-Dwarnings",
+    ]))
 }
 
 fn clippy_app(_: &Project, tools: &TestTools, _: &mut Tally) -> Result<()> {
@@ -147,28 +113,19 @@ fn rust_tests(project: &Project, _: &TestTools, tally: &mut Tally) -> Result<()>
 }
 
 fn rust_examples(project: &Project, _: &TestTools, tally: &mut Tally) -> Result<()> {
-    run_watched(
-        cargo(&project.root)
-            .args(["test", "--doc", "--locked"])
-            .args(NATIVE_CRATES),
-        |line| tally.read(line),
-    )
+    run_watched(cargo(&project.root).args(["test", "--doc", "--locked"]).args(NATIVE_CRATES), |line| {
+        tally.read(line)
+    })
 }
 
 fn browser_tests(project: &Project, tools: &TestTools, tally: &mut Tally) -> Result<()> {
-    let data = project.target.join("e2e-data");
-    if data.exists() {
-        fs::remove_dir_all(&data).with_context(|| format!("cannot remove {}", data.display()))?;
-    }
-    fs::create_dir_all(&data).with_context(|| format!("cannot make {}", data.display()))?;
     let mut playwright = Command::new("node");
     playwright
         .current_dir(project.e2e())
         .args(["node_modules/@playwright/test/cli.js", "test"])
         .env("GOALGRAPH_BIN", app::server(project, Profile::Debug))
         .env("GOALGRAPH_CHROMIUM", &tools.chromium)
-        .env("GOALGRAPH_PORT", free_port()?.to_string())
-        .env("GOALGRAPH_E2E_DATA", &data);
+        .env("GOALGRAPH_PORT", free_port()?.to_string());
     run_watched(&mut playwright, |line| tally.read(line))
 }
 

@@ -39,10 +39,7 @@ fn collect(folder: &Path, paths: &mut Vec<PathBuf>) -> Result<()> {
         let path = entry?.path();
         if path.is_dir() {
             collect(&path, paths)?;
-        } else if EXTENSIONS
-            .iter()
-            .any(|it| path.extension() == Some(OsStr::new(it)))
-        {
+        } else if EXTENSIONS.iter().any(|it| path.extension() == Some(OsStr::new(it))) {
             paths.push(path);
         }
     }
@@ -57,11 +54,7 @@ fn compress(path: PathBuf) -> Result<CompressedFile> {
     let mut name = path.clone().into_os_string();
     name.push(".br");
     fs::write(&name, &compressed).with_context(|| format!("cannot write {}", name.display()))?;
-    Ok(CompressedFile {
-        path,
-        raw_bytes: raw.len(),
-        compressed_bytes: compressed.len(),
-    })
+    Ok(CompressedFile { path, raw_bytes: raw.len(), compressed_bytes: compressed.len() })
 }
 
 impl fmt::Display for CompressedFile {

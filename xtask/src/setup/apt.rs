@@ -13,11 +13,7 @@ use crate::progress::say;
 ///
 /// When there is no apt, no right to install, or no such package.
 pub(super) fn ensure(packages: &[&str]) -> Result<()> {
-    let missing: Vec<&str> = packages
-        .iter()
-        .copied()
-        .filter(|package| !is_installed(package))
-        .collect();
+    let missing: Vec<&str> = packages.iter().copied().filter(|package| !is_installed(package)).collect();
     if missing.is_empty() {
         return Ok(());
     }
@@ -27,12 +23,8 @@ pub(super) fn ensure(packages: &[&str]) -> Result<()> {
     }
     say(&format!("set-up: apt-get install {names}"));
     run_quietly(apt_get()?.args(["-qq", "update"])).context("cannot read the package lists")?;
-    run_quietly(
-        apt_get()?
-            .args(["-qq", "-y", "--no-install-recommends", "install"])
-            .args(&missing),
-    )
-    .with_context(|| format!("cannot install {names}"))
+    run_quietly(apt_get()?.args(["-qq", "-y", "--no-install-recommends", "install"]).args(&missing))
+        .with_context(|| format!("cannot install {names}"))
 }
 
 fn is_installed(package: &str) -> bool {

@@ -24,8 +24,7 @@ pub(super) fn ensure(project: &Project) -> Result<PathBuf> {
         say(&format!("set-up: npm install binaryen {VERSION}"));
         std::fs::create_dir_all(&home)?;
         let mut npm = Command::new("npm");
-        npm.args(["install", "--no-audit", "--no-fund", "--prefix"])
-            .arg(&home);
+        npm.args(["install", "--no-audit", "--no-fund", "--prefix"]).arg(&home);
         npm.arg(format!("binaryen@{VERSION}"));
         run_quietly(&mut npm).context("cannot install binaryen")?;
     }

@@ -24,11 +24,7 @@ const TOOLS: [CargoTool; 2] = [
         version: "0.2.129",
         programs: &["wasm-bindgen", "wasm-bindgen-test-runner"],
     },
-    CargoTool {
-        package: "trunk",
-        version: "0.21.14",
-        programs: &["trunk"],
-    },
+    CargoTool { package: "trunk", version: "0.21.14", programs: &["trunk"] },
 ];
 
 /// They run for seconds: compiling them quickly matters more than their speed.
@@ -47,12 +43,8 @@ const LIGHT_PROFILE: [(&str, &str); 4] = [
 pub(super) fn ensure(project: &Project) -> Result<()> {
     let missing: Vec<_> = TOOLS.iter().filter(|tool| !tool.is_installed(project)).collect();
     for tool in &missing {
-        say(&format!(
-            "set-up: cargo install {} {} (takes minutes, once)",
-            tool.package, tool.version
-        ));
-        tool.install(project)
-            .with_context(|| format!("cannot install {} {}", tool.package, tool.version))?;
+        say(&format!("set-up: cargo install {} {} (takes minutes, once)", tool.package, tool.version));
+        tool.install(project).with_context(|| format!("cannot install {} {}", tool.package, tool.version))?;
     }
     if !missing.is_empty() {
         // Only a loss of disk space if it stays.
@@ -72,23 +64,12 @@ impl CargoTool {
     fn install(&self, project: &Project) -> Result<()> {
         // From the cache folder: the workspace's cargo configuration is not meant for tools.
         let mut install = cargo(&project.cache);
-        install.args([
-            "install",
-            self.package,
-            "--version",
-            self.version,
-            "--locked",
-            "--force",
-        ]);
-        install
-            .args(["--no-default-features", "--root"])
-            .arg(&project.cache);
+        install.args(["install", self.package, "--version", self.version, "--locked", "--force"]);
+        install.args(["--no-default-features", "--root"]).arg(&project.cache);
         for program in self.programs {
             install.args(["--bin", program]);
         }
-        install
-            .envs(LIGHT_PROFILE)
-            .env("CARGO_TARGET_DIR", project.cache.join("cargo-build"));
+        install.envs(LIGHT_PROFILE).env("CARGO_TARGET_DIR", project.cache.join("cargo-build"));
         run_quietly(&mut install)
     }
 }

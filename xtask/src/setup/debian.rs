@@ -14,14 +14,8 @@ use super::wasm_target::TARGET;
 use crate::process::{first_line, forget_own_package, run_quietly};
 use crate::progress::say;
 
-const PACKAGES: [&str; 6] = [
-    "rustc-web",
-    "cargo-web",
-    "rust-web-src",
-    "rust-web-llvm",
-    "rust-web-clippy",
-    "lld-22",
-];
+const PACKAGES: [&str; 6] =
+    ["rustc-web", "cargo-web", "rust-web-src", "rust-web-llvm", "rust-web-clippy", "lld-22"];
 const RUSTC: &str = "/usr/bin/rustc";
 const CARGO: &str = "/usr/bin/cargo";
 /// Says which compiler built the library; written last.
@@ -54,17 +48,9 @@ impl DebianToolchain {
         }
         let version =
             first_line(Command::new(RUSTC).arg("--version")).context("Debian's rustc does not run")?;
-        let toolchain = Self {
-            sysroot: cache.join("sysroot"),
-            version,
-        };
-        say(&format!(
-            "set-up: the standard library for {TARGET}, with Debian's {}",
-            toolchain.version
-        ));
-        toolchain
-            .build_library(&cache.join("sysroot-build"))
-            .context("cannot build the standard library")?;
+        let toolchain = Self { sysroot: cache.join("sysroot"), version };
+        say(&format!("set-up: the standard library for {TARGET}, with Debian's {}", toolchain.version));
+        toolchain.build_library(&cache.join("sysroot-build")).context("cannot build the standard library")?;
         Ok(toolchain)
     }
 
@@ -107,13 +93,7 @@ impl DebianToolchain {
         forget_own_package(&mut cargo);
         cargo
             .current_dir(scratch)
-            .args([
-                "build",
-                "--release",
-                "--target",
-                TARGET,
-                "-Zbuild-std=std,panic_abort,test",
-            ])
+            .args(["build", "--release", "--target", TARGET, "-Zbuild-std=std,panic_abort,test"])
             .env("RUSTC", RUSTC)
             // A stable compiler refuses -Z without this.
             .env("RUSTC_BOOTSTRAP", "1")

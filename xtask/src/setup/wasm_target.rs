@@ -49,10 +49,8 @@ pub(super) fn ensure(project: &Project) -> Result<WasmTarget> {
     }
     if process::on_path("rustup").is_some() {
         say(&format!("set-up: rustup target add {TARGET}"));
-        let added = process::run_within(
-            RUSTUP_LIMIT,
-            Command::new("rustup").args(["-q", "target", "add", TARGET]),
-        );
+        let added =
+            process::run_within(RUSTUP_LIMIT, Command::new("rustup").args(["-q", "target", "add", TARGET]));
         match added {
             Ok(()) if WasmTarget::Installed.works(&project.cache) => return Ok(WasmTarget::Installed),
             Ok(()) => say("set-up: rustup's target does not link"),
@@ -103,9 +101,7 @@ impl WasmTarget {
             Self::Debian(toolchain) => toolchain.rustc(),
         };
         rustc.args(["--edition=2024", "--crate-type=cdylib", "--target", TARGET]);
-        rustc
-            .args(["-Cpanic=abort", "-Clto=fat", "-Copt-level=1", "-o"])
-            .args([&module, &source]);
+        rustc.args(["-Cpanic=abort", "-Clto=fat", "-Copt-level=1", "-o"]).args([&module, &source]);
         let linked = fs::write(&source, PROBE).is_ok()
             && rustc.output().is_ok_and(|output| output.status.success())
             && module.is_file();

@@ -34,11 +34,7 @@ pub(super) fn summarize(reports: &[Report]) -> ExitCode {
     let ok = reports.iter().filter(|it| it.outcome == Outcome::Ok).count();
     let all_ok = ok == reports.len();
     let verdict = if all_ok { "ok" } else { "FAILED" };
-    let Tally {
-        passed,
-        failed,
-        ignored,
-    } = total;
+    let Tally { passed, failed, ignored } = total;
     println!();
     println!("checks: {ok} of {} ok, in {}", reports.len(), duration(elapsed()));
     println!("test result: {verdict}. {passed} passed; {failed} failed; {ignored} ignored");
@@ -51,11 +47,6 @@ fn line(report: &Report) -> String {
         Outcome::Failed => "FAILED",
         Outcome::Skipped => "skipped",
     };
-    let line = format!(
-        "{:<14} {outcome:<8} {:>7}  {}",
-        report.name,
-        duration(report.time),
-        report.tally
-    );
+    let line = format!("{:<14} {outcome:<8} {:>7}  {}", report.name, duration(report.time), report.tally);
     line.trim_end().to_owned()
 }

@@ -55,11 +55,7 @@ impl fmt::Display for Tally {
         if *self == Self::default() {
             return Ok(());
         }
-        write!(
-            f,
-            "{} passed, {} failed, {} ignored",
-            self.passed, self.failed, self.ignored
-        )
+        write!(f, "{} passed, {} failed, {} ignored", self.passed, self.failed, self.ignored)
     }
 }
 
@@ -75,14 +71,8 @@ mod tests {
 
     #[test]
     fn summaries_of_all_three_runners_are_read() {
-        check(
-            "     Summary [   0.512s] 24 tests run: 21 passed (1 slow), 3 failed, 2 skipped",
-            [21, 3, 2],
-        );
-        check(
-            "test result: ok. 7 passed; 1 failed; 2 ignored; 0 measured; 4 filtered out",
-            [7, 1, 2],
-        );
+        check("     Summary [   0.512s] 24 tests run: 21 passed (1 slow), 3 failed, 2 skipped", [21, 3, 2]);
+        check("test result: ok. 7 passed; 1 failed; 2 ignored; 0 measured; 4 filtered out", [7, 1, 2]);
         check("  4 passed (5.0s)", [4, 0, 0]);
         check("  1 failed", [0, 1, 0]);
         check("  2 skipped", [0, 0, 2]);

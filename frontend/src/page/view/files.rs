@@ -28,10 +28,14 @@ pub(crate) fn files(app: App) -> impl IntoView {
     }
 }
 
+/// How many demonstrations take part, and how many files do not.
 fn summary(app: App) -> String {
     let accepted = app.derived.accepted.get();
     let demonstrations = accepted.iter().map(|(_, content)| content.demonstrations.len()).sum();
-    count(demonstrations, "demonstration")
+    let is_refused = |(_, verdict): &&(FileId, Verdict)| matches!(verdict, Verdict::Refused(_));
+    let refused = app.derived.verdicts.with(|verdicts| verdicts.iter().filter(is_refused).count());
+    let refused = if refused > 0 { format!(", {refused} refused") } else { String::new() };
+    format!("{}{refused}", count(demonstrations, "demonstration"))
 }
 
 fn row(app: App, file: &LoadedFile) -> impl IntoView + use<> {
