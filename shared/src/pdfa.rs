@@ -168,7 +168,7 @@ impl Pdfa {
     ///
     /// # Complexity
     ///
-    /// O(S · (A + log Q)) for S symbols in all words, A symbols in the alphabet and Q states.
+    /// O(S · A · log Q) for S symbols in all words, A symbols in the alphabet and Q states.
     ///
     /// # Example
     ///

@@ -69,7 +69,8 @@ pub enum NoPlan {
 ///
 /// # Complexity
 ///
-/// O((Q + T) log T) for Q states and T transitions.
+/// O((Q + T) log T) for Q states and T transitions; times the length of words for [`Strategy::MostProbable`], and Q times
+/// that in the worst case for what can be done [meanwhile](NoPlan::OutOfReach).
 ///
 /// # Example
 ///
@@ -155,7 +156,7 @@ impl Search<'_> {
 
     /// Best first over the product of probabilities (Dijkstra's algorithm over -ln p, without the logarithm).
     fn most_probable(&self, from: StateId) -> Option<Plan> {
-        let start = Candidate { probability: 1.0, word: Vec::new(), state: from, end: false };
+        let start = Candidate { probability: Product::ONE, word: Vec::new(), state: from, end: false };
         let mut heap = BinaryHeap::from([start]);
         let mut settled = BTreeSet::new();
         while let Some(candidate) = heap.pop() {
@@ -167,12 +168,12 @@ impl Search<'_> {
             }
             for (symbol, target) in self.ways(candidate.state) {
                 let probability =
-                    candidate.probability * self.probabilities.transition(candidate.state, symbol);
+                    candidate.probability.times(self.probabilities.transition(candidate.state, symbol));
                 let word = candidate.word.iter().copied().chain([symbol]).collect();
                 heap.push(Candidate { probability, word, state: target, end: false });
             }
             if self.accepts(candidate.state) {
-                let probability = candidate.probability * self.probabilities.end(candidate.state);
+                let probability = candidate.probability.times(self.probabilities.end(candidate.state));
                 heap.push(Candidate { probability, end: true, ..candidate });
             }
         }
@@ -190,34 +191,55 @@ impl Search<'_> {
     }
 
     /// The longest simple way along available transitions that keeps an accepting state in reach of a future in which
-    /// everything is available; of equally long ones the one that is preferred first.
+    /// everything is available; of equally long ones the one that is preferred first. Where cycles make that a search
+    /// through all ways, a state is only looked at again when it is reached by a longer way than before.
     fn meanwhile(&self, from: StateId) -> Plan {
-        let everything = BTreeSet::new();
-        let later = Search { unavailable: &everything, ..*self };
+        let live = self.live_when_all_is_available();
         let mut longest: Vec<Step> = Vec::new();
         let mut path: Vec<Step> = Vec::new();
+        let mut on_path = BTreeSet::from([from]);
         let mut deepest = BTreeMap::from([(from, 0_usize)]);
         let mut open = vec![self.ways(from).into_iter()];
         while let Some(ways) = open.last_mut() {
             let Some((symbol, target)) = ways.next() else {
+                if path.len() > longest.len() {
+                    longest.clone_from(&path);
+                }
                 open.pop();
-                path.pop();
+                if let Some((_, left)) = path.pop() {
+                    on_path.remove(&left);
+                }
                 continue;
             };
             let depth = path.len() + 1;
-            let on_path = target == from || path.iter().any(|&(_, state)| state == target);
             let known_as_deep = deepest.get(&target).is_some_and(|&known| known >= depth);
-            if on_path || known_as_deep || later.greedy(target).is_none() {
+            if known_as_deep || on_path.contains(&target) || !live.contains(&target) {
                 continue;
             }
             deepest.insert(target, depth);
+            on_path.insert(target);
             path.push((symbol, target));
-            if path.len() > longest.len() {
-                longest.clone_from(&path);
-            }
             open.push(self.ways(target).into_iter());
         }
         self.plan_of(from, &longest, false)
+    }
+
+    /// The states from which an accepting state can be reached when everything is available.
+    fn live_when_all_is_available(&self) -> BTreeSet<StateId> {
+        let mut sources: BTreeMap<StateId, Vec<StateId>> = BTreeMap::new();
+        for (source, symbol, transition) in self.pdfa.transitions() {
+            if self.probabilities.transition(source, symbol) > 0.0 {
+                sources.entry(transition.target).or_default().push(source);
+            }
+        }
+        let mut live = BTreeSet::new();
+        let mut open: Vec<StateId> = self.pdfa.states.keys().copied().filter(|&id| self.accepts(id)).collect();
+        while let Some(id) = open.pop() {
+            if live.insert(id) {
+                open.extend(sources.remove(&id).unwrap_or_default());
+            }
+        }
+        live
     }
 
     /// The plan along `steps`; its probability counts the end when it is `complete`.
@@ -239,7 +261,7 @@ impl Search<'_> {
 /// An end of the search, ordered by probability, then by the earlier word.
 #[derive(Clone, Debug, PartialEq)]
 struct Candidate {
-    probability: f64,
+    probability: Product,
     word: Word,
     state: StateId,
     end: bool,
@@ -256,8 +278,67 @@ impl PartialOrd for Candidate {
 impl Ord for Candidate {
     fn cmp(&self, other: &Self) -> Ordering {
         self.probability
-            .total_cmp(&other.probability)
+            .cmp(&other.probability)
             .then_with(|| other.word.cmp(&self.word))
             .then_with(|| self.end.cmp(&other.end))
+    }
+}
+
+/// A product of probabilities that long words do not make zero: `mantissa` / 2^(256 `scale`).
+///
+/// The mantissa is at least 2^-256, and below 1 unless `scale` is zero, so every number is written in one way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Product {
+    scale: u32,
+    mantissa: f64,
+}
+
+impl Product {
+    const ONE: Self = Self { scale: 0, mantissa: 1.0 };
+
+    /// This product with one more factor, above 0 and at most 1. Scaling by powers of two rounds nothing.
+    fn times(self, probability: f64) -> Self {
+        let factor = Self { scale: 0, mantissa: probability }.normalized();
+        let mantissa = self.mantissa * factor.mantissa;
+        Self { scale: self.scale + factor.scale, mantissa }.normalized()
+    }
+
+    fn normalized(mut self) -> Self {
+        const UNIT: f64 = 1.157_920_892_373_162e77;
+        while self.mantissa > 0.0 && self.mantissa < 1.0 / UNIT {
+            self.mantissa *= UNIT;
+            self.scale += 1;
+        }
+        self
+    }
+}
+
+impl Eq for Product {}
+
+impl PartialOrd for Product {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Product {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.scale.cmp(&self.scale).then_with(|| self.mantissa.total_cmp(&other.mantissa))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_product_of_many_factors_keeps_its_order() {
+        let product = |factors: &[f64]| factors.iter().fold(Product::ONE, |product, &p| product.times(p));
+        let check = |larger: &[f64], smaller: &[f64]| assert!(product(larger) > product(smaller));
+        check(&[1.0], &[0.5]);
+        check(&[0.5; 5000], &[0.5; 5001]);
+        check(&[0.1; 5000], &[&[0.1; 4999][..], &[0.099]].concat());
+        check(&[1e-300, 1e-300], &[1e-320, 1e-300]);
+        assert_eq!(product(&[0.5; 4096]), product(&[0.25; 2048]));
     }
 }

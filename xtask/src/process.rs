@@ -168,7 +168,7 @@ mod tests {
     fn a_watched_program_gives_the_lines_of_both_streams() {
         let mut seen = Vec::new();
         run_watched(Command::new("sh").args(["-c", "echo one; echo two >&2"]), |line| {
-            seen.push(line.to_owned())
+            seen.push(line.to_owned());
         })
         .expect("sh runs");
         seen.sort();

@@ -114,7 +114,7 @@ fn rust_tests(project: &Project, _: &TestTools, tally: &mut Tally) -> Result<()>
 
 fn rust_examples(project: &Project, _: &TestTools, tally: &mut Tally) -> Result<()> {
     run_watched(cargo(&project.root).args(["test", "--doc", "--locked"]).args(NATIVE_CRATES), |line| {
-        tally.read(line)
+        tally.read(line);
     })
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use petgraph::Direction;
-use petgraph::algo::is_cyclic_directed;
+use petgraph::algo::toposort;
 use petgraph::graphmap::DiGraphMap;
 use petgraph::visit::Bfs;
 
@@ -45,7 +45,7 @@ impl Specification {
         let mut problems = state_problems(&self.pdfa, &graph);
         problems.extend(self.transition_problems());
         problems.extend(self.sub_goal_problems());
-        if is_cyclic_directed(&graph) {
+        if toposort(&graph, None).is_err() {
             let message = "a cycle: the automaton accepts words of any length".to_owned();
             let place = self.pdfa.initial.to_string();
             problems.push(Problem { severity: Severity::Warning, place, message });

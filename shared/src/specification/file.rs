@@ -59,26 +59,60 @@ pub(super) fn contradiction(place: impl Into<String>, message: impl Into<String>
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SpecificationFile {
+    /// What kind of file this is.
+    #[cfg_attr(feature = "schema", schemars(extend("const" = FORMAT)))]
     pub(super) format: String,
+    /// Version of the format.
+    #[cfg_attr(feature = "schema", schemars(extend("const" = VERSION)))]
     pub(super) version: u32,
+    /// What the task is called.
     pub(super) name: String,
+    /// How weights are read as probabilities.
     pub(super) semantics: Semantics,
-    pub(super) features: Vec<Feature>,
+    /// The features that demonstrations of the task have, in the order of the columns; names are unique.
+    pub(super) features: Vec<FeatureEntry>,
+    /// The feature subsets in which sub-goals were searched; names are unique.
     pub(super) subsets: Vec<SubsetEntry>,
+    /// The alphabet, in its order; ids are unique.
     pub(super) sub_goals: Vec<SubGoalEntry>,
+    /// The automaton.
     pub(super) automaton: AutomatonEntry,
+    /// What was demonstrated.
     pub(super) demonstrations: Vec<DemonstrationEntry>,
 }
 
+/// One measured quantity of the scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "Feature"))]
+#[serde(deny_unknown_fields)]
+pub(super) struct FeatureEntry {
+    /// Name of the column.
+    pub(super) name: String,
+    /// Unit of its values, such as `m`; left out where the recording names none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) unit: Option<String>,
+}
+
+/// A feature subset with the parameters that its sub-goals were found with.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "Subset"))]
 #[serde(deny_unknown_fields)]
 pub(super) struct SubsetEntry {
+    /// What the subset is called, such as the object that its features describe.
     pub(super) name: String,
+    /// Names of its features, at least one, each once.
     pub(super) features: Vec<String>,
+    /// DBSCAN's neighborhood radius, in the unit of the features; not below 0.
     pub(super) epsilon: Number,
+    /// DBSCAN's smallest neighborhood of a core point, itself included.
+    #[cfg_attr(feature = "schema", schemars(range(min = 1)))]
     pub(super) min_points: usize,
+    /// For how many observed frames a partial state stays in a ball before the sub-goal counts as reached; 1, the
+    /// published method, when it is left out.
     #[serde(default = "published_min_dwell")]
+    #[cfg_attr(feature = "schema", schemars(range(min = 1)))]
     pub(super) min_dwell: usize,
 }
 
@@ -86,64 +120,102 @@ fn published_min_dwell() -> usize {
     1
 }
 
+/// A sub-goal. `subset`, `features`, `center` and `radius` are its place: all four are there, or none when the
+/// specification was inferred from words alone.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "SubGoal"))]
 #[serde(deny_unknown_fields)]
 pub(super) struct SubGoalEntry {
+    /// Its symbol in words.
     pub(super) id: Symbol,
+    /// What people call it.
     pub(super) name: String,
+    /// Name of the subset that reaches it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) subset: Option<String>,
+    /// The features of the subset, one per coordinate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) features: Option<Vec<String>>,
+    /// Center of the ball, one coordinate per feature, in the unit of the features.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) center: Option<Vec<Number>>,
+    /// Radius of the ball, its surface included, in the unit of the features; not below 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) radius: Option<Number>,
+    /// How many frames of all demonstrations were clustered into it.
     pub(super) frames: usize,
+    /// How many demonstrations reached it.
     pub(super) demonstrations: usize,
 }
 
+/// The probabilistic deterministic finite automaton.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "Automaton"))]
 #[serde(deny_unknown_fields)]
 pub(super) struct AutomatonEntry {
+    /// Where every word starts.
     pub(super) initial: StateId,
+    /// The states; ids are unique.
     pub(super) states: Vec<StateEntry>,
+    /// The transitions, at most one per source and symbol.
     pub(super) transitions: Vec<TransitionEntry>,
 }
 
+/// A set of completed sub-goals.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "State"))]
 #[serde(deny_unknown_fields)]
 pub(super) struct StateEntry {
+    /// Its id; never reused.
     pub(super) id: StateId,
+    /// The sub-goals that are completed here, each once.
     pub(super) completed: Vec<Symbol>,
+    /// Whether the task may end here.
     pub(super) accepting: bool,
+    /// How many words ended here: evidence, never edited.
     pub(super) end_count: u64,
+    /// What decides the final probability, from 0 to 1e100; equal to `end_count` until an expert reweights.
     pub(super) end_weight: Number,
+    /// Probability of ending here, as the weights give it under `semantics`.
     pub(super) final_probability: Number,
 }
 
+/// A way from one state to another.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "Transition"))]
 #[serde(deny_unknown_fields)]
 pub(super) struct TransitionEntry {
+    /// Where it starts.
     pub(super) source: StateId,
+    /// The sub-goal that it completes.
     pub(super) symbol: Symbol,
+    /// Where it leads.
     pub(super) target: StateId,
+    /// How many words took it: evidence, never edited.
     pub(super) count: u64,
+    /// What decides its probability, from 0 to 1e100; equal to `count` until an expert reweights.
     pub(super) weight: Number,
+    /// Its probability, as the weights give it under `semantics`.
     pub(super) probability: Number,
 }
 
+/// A demonstration and the word that was read from it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "Demonstration"))]
 #[serde(deny_unknown_fields)]
 pub(super) struct DemonstrationEntry {
+    /// What it is called.
     pub(super) name: String,
+    /// Hexadecimal SHA-256 of its file; empty when only its word was given.
     pub(super) sha256: String,
+    /// How many frames it has; 0 when only its word was given.
     pub(super) frames: usize,
+    /// The sub-goals that it completed, in order.
     pub(super) word: Vec<Symbol>,
 }
 
@@ -184,16 +256,22 @@ impl Specification {
     ///
     /// When the text is no JSON of this shape, of another format or version, or contradicts itself: an id that is there
     /// twice or nowhere, a number out of its range, a probability other than the weights give.
+    ///
+    /// # Complexity
+    ///
+    /// O(n log n) for n bytes.
     pub fn from_json(text: &str) -> Result<Self, ReadError> {
-        let kind: Kind = serde_json::from_str(text).map_err(|error| json_error(&error))?;
-        if kind.format != FORMAT {
-            return Err(ReadError::Format { found: kind.format });
+        let file = serde_json::from_str::<SpecificationFile>(text);
+        let kind = match &file {
+            Ok(file) => Some(Kind { format: file.format.clone(), version: file.version }),
+            // Files of other formats and versions have other shapes, but they are to be named as what they are.
+            Err(_) => serde_json::from_str(text).ok(),
+        };
+        match kind {
+            Some(kind) if kind.format != FORMAT => Err(ReadError::Format { found: kind.format }),
+            Some(kind) if kind.version != VERSION => Err(ReadError::Version { found: kind.version }),
+            _ => file.map_err(|error| json_error(&error))?.into_specification(),
         }
-        if kind.version != VERSION {
-            return Err(ReadError::Version { found: kind.version });
-        }
-        let file: SpecificationFile = serde_json::from_str(text).map_err(|error| json_error(&error))?;
-        file.into_specification()
     }
 }
 
@@ -206,7 +284,7 @@ pub fn json_schema() -> String {
     text
 }
 
-/// What a file says of itself, read before anything else so that a file of another version is named as such.
+/// What a file says of itself.
 #[derive(Deserialize)]
 struct Kind {
     format: String,
@@ -227,6 +305,10 @@ impl From<&Specification> for SpecificationFile {
             frames: demonstration.frames,
             word: demonstration.word.clone(),
         };
+        let feature_entry = |feature: &Feature| FeatureEntry {
+            name: feature.name.clone(),
+            unit: feature.unit.clone(),
+        };
         let subset_entry = |subset: &SubsetParameters| SubsetEntry {
             name: subset.name.clone(),
             features: subset.features.clone(),
@@ -239,7 +321,7 @@ impl From<&Specification> for SpecificationFile {
             version: VERSION,
             name: specification.name.clone(),
             semantics: specification.semantics,
-            features: specification.features.clone(),
+            features: specification.features.iter().map(feature_entry).collect(),
             subsets: specification.subsets.iter().map(subset_entry).collect(),
             sub_goals: specification.sub_goals.iter().map(sub_goal_entry).collect(),
             automaton: automaton_entry(&specification.pdfa, specification.semantics),

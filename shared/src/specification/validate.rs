@@ -3,10 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::file::{
-    AutomatonEntry, PROBABILITY_TOLERANCE, ReadError, SpecificationFile, SubGoalEntry, SubsetEntry,
+    AutomatonEntry, FeatureEntry, PROBABILITY_TOLERANCE, ReadError, SpecificationFile, SubGoalEntry, SubsetEntry,
     contradiction,
 };
 use super::{Ball, DemonstrationWord, Specification, SubGoal, SubsetParameters};
+use crate::demonstration::Feature;
 use crate::pdfa::{Pdfa, Semantics, State, StateId, Symbol, Transition};
 
 impl SpecificationFile {
@@ -21,7 +22,8 @@ impl SpecificationFile {
         let subsets = self.subsets.into_iter().map(|subset| subset_parameters(subset, &feature_names));
         let subsets = subsets.collect::<Result<Vec<_>, _>>()?;
         let symbols = unique("sub_goals", self.sub_goals.iter().map(|sub_goal| sub_goal.id))?;
-        let sub_goals = self.sub_goals.into_iter().map(|entry| sub_goal(entry, &subsets));
+        let by_name = subsets.iter().map(|subset| (subset.name.as_str(), subset)).collect();
+        let sub_goals = self.sub_goals.into_iter().map(|entry| sub_goal(entry, &by_name));
         let sub_goals = sub_goals.collect::<Result<Vec<_>, _>>()?;
         let pdfa = pdfa(&self.automaton, &symbols)?;
         check_probabilities(&self.automaton, &pdfa, self.semantics)?;
@@ -32,7 +34,9 @@ impl SpecificationFile {
             let (name, sha256, frames) = (entry.name, entry.sha256, entry.frames);
             demonstrations.push(DemonstrationWord { name, sha256, frames, word: entry.word });
         }
-        let (name, semantics, features) = (self.name, self.semantics, self.features);
+        let feature = |entry: FeatureEntry| Feature { name: entry.name, unit: entry.unit };
+        let features = self.features.into_iter().map(feature).collect();
+        let (name, semantics) = (self.name, self.semantics);
         Ok(Specification { name, semantics, features, subsets, sub_goals, pdfa, demonstrations })
     }
 }
@@ -74,11 +78,27 @@ fn at_least_zero(place: impl Into<String>, value: f64) -> Result<f64, ReadError>
     }
 }
 
+/// The largest weight: any number of them has a finite sum.
+const LARGEST_WEIGHT: f64 = 1e100;
+
+/// `value` must be a weight.
+fn weight(place: impl Into<String>, value: f64) -> Result<f64, ReadError> {
+    if (0.0..=LARGEST_WEIGHT).contains(&value) {
+        Ok(value)
+    } else {
+        Err(contradiction(place, format!("{value} must be a number from 0 to {LARGEST_WEIGHT:e}")))
+    }
+}
+
 fn subset_parameters(entry: SubsetEntry, features: &BTreeSet<String>) -> Result<SubsetParameters, ReadError> {
     let place = format!("subset {}", entry.name);
     if let Some(missing) = entry.features.iter().find(|name| !features.contains(*name)) {
         return Err(contradiction(place, format!("there is no feature {missing:?}")));
     }
+    if entry.features.is_empty() {
+        return Err(contradiction(place, "it has no features"));
+    }
+    unique(&format!("{place}: features"), entry.features.iter())?;
     let epsilon = at_least_zero(format!("{place}: epsilon"), entry.epsilon.0)?;
     if entry.min_points == 0 || entry.min_dwell == 0 {
         return Err(contradiction(place, "min_points and min_dwell must be at least 1"));
@@ -87,12 +107,12 @@ fn subset_parameters(entry: SubsetEntry, features: &BTreeSet<String>) -> Result<
     Ok(SubsetParameters { name, features, epsilon, min_points: entry.min_points, min_dwell: entry.min_dwell })
 }
 
-fn sub_goal(entry: SubGoalEntry, subsets: &[SubsetParameters]) -> Result<SubGoal, ReadError> {
+fn sub_goal(entry: SubGoalEntry, subsets: &BTreeMap<&str, &SubsetParameters>) -> Result<SubGoal, ReadError> {
     let place = format!("sub_goal {}", entry.id);
     let ball = match (entry.subset, entry.features, entry.center, entry.radius) {
         (None, None, None, None) => None,
         (Some(subset), Some(features), Some(center), Some(radius)) => {
-            let Some(parameters) = subsets.iter().find(|parameters| parameters.name == subset) else {
+            let Some(parameters) = subsets.get(subset.as_str()) else {
                 return Err(contradiction(place, format!("there is no subset {subset:?}")));
             };
             if parameters.features != features {
@@ -116,20 +136,20 @@ fn sub_goal(entry: SubGoalEntry, subsets: &[SubsetParameters]) -> Result<SubGoal
 }
 
 fn pdfa(entry: &AutomatonEntry, symbols: &BTreeSet<Symbol>) -> Result<Pdfa, ReadError> {
-    unique("automaton.states", entry.states.iter().map(|state| state.id))?;
+    let ids = unique("automaton.states", entry.states.iter().map(|state| state.id))?;
     let mut states = BTreeMap::new();
     for state in &entry.states {
         let place = format!("state {}", state.id);
         known(&format!("{place}: completed"), state.completed.iter(), symbols)?;
-        let end_weight = at_least_zero(format!("{place}: end_weight"), state.end_weight.0)?;
+        unique(&format!("{place}: completed"), state.completed.iter())?;
+        let end_weight = weight(format!("{place}: end_weight"), state.end_weight.0)?;
         let completed = state.completed.iter().copied().collect();
         let (accepting, end_count) = (state.accepting, state.end_count);
         let transitions = BTreeMap::new();
         states.insert(state.id, State { completed, accepting, end_count, end_weight, transitions });
     }
     let exists = |place: &str, id: StateId| {
-        let found = entry.states.iter().any(|state| state.id == id);
-        found.then_some(()).ok_or_else(|| contradiction(place, format!("there is no state {id}")))
+        ids.contains(&id).then_some(()).ok_or_else(|| contradiction(place, format!("there is no state {id}")))
     };
     exists("automaton.initial", entry.initial)?;
     for transition in &entry.transitions {
@@ -137,7 +157,7 @@ fn pdfa(entry: &AutomatonEntry, symbols: &BTreeSet<Symbol>) -> Result<Pdfa, Read
         known(&place, std::iter::once(&transition.symbol), symbols)?;
         exists(&place, transition.source)?;
         exists(&place, transition.target)?;
-        let weight = at_least_zero(format!("{place}: weight"), transition.weight.0)?;
+        let weight = weight(format!("{place}: weight"), transition.weight.0)?;
         let way = Transition { target: transition.target, count: transition.count, weight };
         let ways = &mut states.entry(transition.source).or_default().transitions;
         if ways.insert(transition.symbol, way).is_some() {

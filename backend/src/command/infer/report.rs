@@ -1,6 +1,6 @@
 //! What an inference found, for people and for machines.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use goalgraph::infer::Inference;
@@ -107,11 +107,21 @@ impl Report {
             let (reached, all) = (sub_goal.demonstrations, self.demonstrations);
             output::say(&format!("  {}  {}: in {reached} of {all}", sub_goal.id, sub_goal.name));
         }
-        for cluster in &self.eliminated {
-            output::say(&format!("eliminated: {}: {}", cluster.subset, cluster.reason));
+        for (line, times) in self.eliminated_lines() {
+            let times = if times > 1 { format!(" ({times} clusters)") } else { String::new() };
+            output::say(&format!("{line}{times}"));
         }
         for note in &self.notes {
             output::say(&format!("note: {note}"));
         }
+    }
+
+    /// What was eliminated and why, equal lines once, with how often each is there.
+    fn eliminated_lines(&self) -> BTreeMap<String, usize> {
+        let mut lines = BTreeMap::new();
+        for cluster in &self.eliminated {
+            *lines.entry(format!("eliminated: {}: {}", cluster.subset, cluster.reason)).or_default() += 1;
+        }
+        lines
     }
 }

@@ -9,7 +9,7 @@ use crate::page::model::LoadedFile;
 use crate::page::text::{bytes, count};
 use crate::page::update::{Action, App};
 use crate::page::verdict::Verdict;
-use crate::protocol::{DemonstrationEntry, DemonstrationId, FileContent, FileId};
+use crate::protocol::{DemonstrationId, FileContent, FileId};
 
 /// The list at the left of the Demonstrations tab.
 pub(crate) fn files(app: App) -> impl IntoView {
@@ -46,6 +46,7 @@ fn row(app: App, file: &LoadedFile) -> impl IntoView + use<> {
         app.derived.verdicts.with(of_file).map_or(Verdict::Reading, |(_, verdict)| verdict)
     });
     let name = file.name.clone();
+    let file_name = name.clone();
     let size = bytes(file.bytes);
     view! {
         <li class="file" data-file=name.clone() data-verdict=move || word(&verdict.get())>
@@ -62,7 +63,7 @@ fn row(app: App, file: &LoadedFile) -> impl IntoView + use<> {
                     <span aria-hidden="true">"×"</span>
                 </button>
             </div>
-            {move || details(app, id, verdict.get())}
+            {move || details(app, id, &file_name, verdict.get())}
         </li>
     }
 }
@@ -77,7 +78,7 @@ fn word(verdict: &Verdict) -> &'static str {
     }
 }
 
-fn details(app: App, id: FileId, verdict: Verdict) -> AnyView {
+fn details(app: App, id: FileId, name: &str, verdict: Verdict) -> AnyView {
     match verdict {
         Verdict::Reading => view! { <p class="file-note">"Reading"</p> }.into_any(),
         Verdict::Refused(reason) => view! { <p class="file-note refused">"Refused: " {reason}</p> }.into_any(),
@@ -89,7 +90,7 @@ fn details(app: App, id: FileId, verdict: Verdict) -> AnyView {
         }
         .into_any(),
         Verdict::Accepted(content) if content.demonstrations.len() == 1 => single(app, id, &content).into_any(),
-        Verdict::Accepted(content) => accepted(app, id, &content).into_any(),
+        Verdict::Accepted(content) => accepted(app, id, name, &content).into_any(),
     }
 }
 
@@ -115,7 +116,7 @@ fn single(app: App, file: FileId, content: &Arc<FileContent>) -> impl IntoView +
     }
 }
 
-fn accepted(app: App, file: FileId, content: &Arc<FileContent>) -> impl IntoView + use<> {
+fn accepted(app: App, file: FileId, name: &str, content: &Arc<FileContent>) -> impl IntoView + use<> {
     let frames = content.demonstrations.iter().map(|demonstration| demonstration.frames).sum();
     let parts = [
         count(content.demonstrations.len(), "demonstration"),
@@ -123,9 +124,13 @@ fn accepted(app: App, file: FileId, content: &Arc<FileContent>) -> impl IntoView
         count(content.features.len(), "feature"),
     ];
     let features = content.features.len();
-    let id = |index| DemonstrationId { file, index };
-    let entries = content.demonstrations.iter().enumerate();
-    let entries = entries.map(|(index, entry)| demonstration(app, id(index), entry, features)).collect_view();
+    let entries = content.demonstrations.iter().enumerate().map(|(index, entry)| {
+        let id = DemonstrationId { file, index };
+        // Below the file's name, only what tells a demonstration from the others is worth reading.
+        let short_name = entry.name.strip_prefix(name).map_or(entry.name.as_str(), str::trim);
+        demonstration(app, id, short_name, missing(entry.undefined, entry.frames * features), entry.frames)
+    });
+    let entries = entries.collect_view();
     view! {
         <p class="file-note">{parts.join(", ")}</p>
         <ul class="demonstrations">{entries}</ul>
@@ -135,11 +140,11 @@ fn accepted(app: App, file: FileId, content: &Arc<FileContent>) -> impl IntoView
 fn demonstration(
     app: App,
     id: DemonstrationId,
-    entry: &DemonstrationEntry,
-    features: usize,
+    name: &str,
+    missing: Option<String>,
+    frames: usize,
 ) -> impl IntoView + use<> {
     let shown = move || app.model.demonstration.get() == Some(id);
-    let missing = missing(entry.undefined, entry.frames * features);
     view! {
         <li>
             <button
@@ -148,9 +153,9 @@ fn demonstration(
                 aria-pressed=move || shown().to_string()
                 on:click=move |_| app.act(Action::Show(id))
             >
-                <span class="entry-name">{entry.name.clone()}</span>
+                <span class="entry-name">{name.to_owned()}</span>
                 {missing.map(|text| view! { <span class="tag">{text}</span> })}
-                <span class="hint">{count(entry.frames, "frame")}</span>
+                <span class="hint">{count(frames, "frame")}</span>
             </button>
         </li>
     }

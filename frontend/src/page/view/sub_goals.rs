@@ -176,7 +176,7 @@ impl Side<'_> {
 
     fn eliminated(&self, cluster: &EliminatedCluster) -> Disk {
         let (center, radius) = (self.seen(&cluster.center), cluster.radius);
-        Disk { label: "eliminated".to_owned(), class: "gray".to_owned(), center, radius, points: Vec::new() }
+        Disk { label: String::new(), class: "gray".to_owned(), center, radius, points: Vec::new() }
     }
 }
 
@@ -191,7 +191,7 @@ fn found(app: App) -> Option<impl IntoView> {
     Some(view! {
         <h2>"Sub-goals of " {subset.name.clone()}</h2>
         <ul class="sub-goals">{cards}</ul>
-        {(!eliminated.is_empty()).then(|| view! { <h3>"Eliminated"</h3><ul class="sub-goals">{eliminated}</ul> })}
+        {(!eliminated.is_empty()).then(|| view! { <h3>"Eliminated (dashed)"</h3><ul class="sub-goals">{eliminated}</ul> })}
         {(!outcome.notes.is_empty()).then(|| view! { <h3>"Notes"</h3><ul class="problems">{notes}</ul> })}
     })
 }
