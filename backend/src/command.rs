@@ -4,4 +4,5 @@ pub(crate) mod check;
 pub(crate) mod export;
 pub(crate) mod infer;
 pub(crate) mod plan;
+pub(crate) mod schema;
 pub(crate) mod serve;

@@ -19,7 +19,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use command::{check, export, infer, plan, serve};
+use command::{check, export, infer, plan, schema, serve};
 
 /// Recorded demonstrations in, a probabilistic automaton of the task out.
 #[derive(Parser)]
@@ -39,6 +39,8 @@ enum Command {
     Check(check::Arguments),
     /// Writes a specification in the format of another tool
     Export(export::Arguments),
+    /// Prints the JSON Schema of the specification file
+    Schema,
     /// Serves the app to browsers on this computer
     Serve(serve::Arguments),
 }
@@ -49,6 +51,7 @@ fn main() -> ExitCode {
         Command::Plan(arguments) => plan::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Export(arguments) => export::run(&arguments),
+        Command::Schema => schema::run(),
         Command::Serve(arguments) => serve::run(&arguments),
     };
     match result {

@@ -61,10 +61,10 @@ async fn file(State(assets): State<Assets>, uri: Uri, headers: HeaderMap) -> Res
     }
 }
 
-/// Adds what every answer must carry; a page that allows its own inline scripts keeps its policy.
+/// Adds what every answer must carry.
 async fn with_security_headers(mut response: Response) -> Response {
     let headers = response.headers_mut();
-    headers.entry(CONTENT_SECURITY_POLICY).or_insert(content_security::policy());
+    headers.insert(CONTENT_SECURITY_POLICY, content_security::POLICY);
     headers.insert(X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
     headers.insert(REFERRER_POLICY, HeaderValue::from_static("no-referrer"));
     response

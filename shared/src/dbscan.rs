@@ -66,6 +66,16 @@ impl Near<'_> {
     fn holds(&self, a: usize, b: usize) -> bool {
         self.squared(a, b) <= self.squared_epsilon
     }
+
+    /// Whether the box around the points of `cell` is within epsilon of `point`: if not, none of them is.
+    fn reaches(&self, cells: &Cells, point: usize, cell: usize) -> bool {
+        cells.squared_distance_to(cell, self.points.point(point)) <= self.squared_epsilon
+    }
+
+    /// Those of the cells `around` that can hold a neighbor of `point`.
+    fn cells(&self, cells: &Cells, point: usize, around: &[usize]) -> impl Iterator<Item = usize> {
+        around.iter().copied().filter(move |&cell| self.reaches(cells, point, cell))
+    }
 }
 
 /// Whether each point is core.
@@ -81,7 +91,7 @@ fn core_points(cells: &Cells, neighborhood: &Neighborhood, near: &Near, min_poin
         }
         let around = neighborhood.of(cell);
         for &point in members {
-            let candidates = around.iter().flat_map(|&other| cells.members(other));
+            let candidates = near.cells(cells, point, &around).flat_map(|other| cells.members(other));
             let neighbors = candidates.filter(|&&other| near.holds(point, other)).take(min_points);
             core[point] = neighbors.count() >= min_points;
         }
@@ -102,7 +112,7 @@ fn join_cells(cells: &Cells, neighborhood: &Neighborhood, near: &Near, core: &[b
         for other in neighborhood.of(cell) {
             if other < cell
                 && !joined.equiv(cell, other)
-                && touch(near, &core_members[cell], &core_members[other])
+                && touch(near, cells, &core_members[cell], other, &core_members[other])
             {
                 joined.union(cell, other);
             }
@@ -111,9 +121,10 @@ fn join_cells(cells: &Cells, neighborhood: &Neighborhood, near: &Near, core: &[b
     joined.into_labeling()
 }
 
-/// Whether a point of `a` is within epsilon of a point of `b`.
-fn touch(near: &Near, a: &[usize], b: &[usize]) -> bool {
-    a.iter().any(|&point| b.iter().any(|&other| near.holds(point, other)))
+/// Whether a point of `a` is within epsilon of a point of `b`, which are in the cell `cell_of_b`.
+fn touch(near: &Near, cells: &Cells, a: &[usize], cell_of_b: usize, b: &[usize]) -> bool {
+    let close = a.iter().filter(|&&point| near.reaches(cells, point, cell_of_b));
+    close.into_iter().any(|&point| b.iter().any(|&other| near.holds(point, other)))
 }
 
 /// The cluster of each point as some number: core points have their cell's, border points their nearest core point's.
@@ -139,9 +150,9 @@ fn cluster_of_point(
                 labels[point] = Some(cluster_of_cell[cell]);
                 continue;
             }
-            let candidates = around
-                .iter()
-                .flat_map(|&other| cells.members(other).iter().map(move |&candidate| (other, candidate)))
+            let candidates = near
+                .cells(cells, point, &around)
+                .flat_map(|other| cells.members(other).iter().map(move |&candidate| (other, candidate)))
                 .filter(|&(_, candidate)| core[candidate] && near.holds(point, candidate));
             let nearest = candidates.min_by(|a, b| {
                 near.squared(point, a.1).total_cmp(&near.squared(point, b.1)).then(a.1.cmp(&b.1))

@@ -25,7 +25,7 @@ impl Feature {
 
 /// One recording of the task: `frames` x `features` values, frames in the order of time.
 ///
-/// An undefined value (object not detected in that frame) is NaN. No value is infinite, there is at least one
+/// An undefined value (object not detected in that frame) is NaN. No value is beyond 1e100, there is at least one
 /// feature and at least one frame, and feature names are unique.
 #[derive(Clone, Debug)]
 pub struct Demonstration {
@@ -34,6 +34,9 @@ pub struct Demonstration {
     features: Arc<[Feature]>,
     values: Vec<f64>,
 }
+
+/// What can be squared and summed without overflow.
+const LARGEST_VALUE: f64 = 1e100;
 
 /// Why values do not make a demonstration.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -62,9 +65,9 @@ pub enum DemonstrationError {
         /// How many features a frame has.
         features: usize,
     },
-    /// A value is infinite.
-    #[error("frame {frame}: {feature} is infinite; values must be finite, or empty where undefined")]
-    Infinite {
+    /// A value is infinite, or too large to calculate with.
+    #[error("frame {frame}: {feature} is beyond 1e100; values must be finite, or empty where undefined")]
+    TooLarge {
         /// The frame, from 0.
         frame: usize,
         /// Name of the feature.
@@ -79,7 +82,7 @@ impl Demonstration {
     /// # Errors
     ///
     /// When there are no features or frames, a feature name is there twice, the last frame is incomplete, or a value
-    /// is infinite.
+    /// is beyond 1e100.
     pub fn new(
         name: impl Into<String>,
         sha256: impl Into<String>,
@@ -93,9 +96,9 @@ impl Demonstration {
         if !values.len().is_multiple_of(features.len()) {
             return Err(DemonstrationError::Ragged { values: values.len(), features: features.len() });
         }
-        if let Some(at) = values.iter().position(|value| value.is_infinite()) {
+        if let Some(at) = values.iter().position(|value| value.abs() > LARGEST_VALUE) {
             let feature = features[at % features.len()].name.clone();
-            return Err(DemonstrationError::Infinite { frame: at / features.len(), feature });
+            return Err(DemonstrationError::TooLarge { frame: at / features.len(), feature });
         }
         Ok(Self { name: name.into(), sha256: sha256.into(), features, values })
     }
@@ -180,7 +183,7 @@ mod tests {
         assert_eq!(message(&["x", "y"], &[1.0]), "1 values are no whole number of frames of 2 features");
         assert_eq!(
             message(&["x", "y"], &[0.0, 1.0, 2.0, f64::INFINITY]),
-            "frame 1: y is infinite; values must be finite, or empty where undefined"
+            "frame 1: y is beyond 1e100; values must be finite, or empty where undefined"
         );
     }
 }

@@ -230,3 +230,62 @@ pub fn without_wild_detections(track: &Track, scales: Scales) -> Track {
     }
     kept
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SCALES: Scales = Scales { noise: 0.001, travel: 1.0, stillness: 0.01 };
+
+    fn track(x: &[f64]) -> Track {
+        Track { frames: (0..x.len()).collect(), points: Points::from_rows(1, x.to_vec()) }
+    }
+
+    /// Start and end of each dwell.
+    fn spans(x: &[f64], min_dwell: usize) -> Vec<[usize; 2]> {
+        dwells(&track(x), SCALES, min_dwell).into_iter().map(|it| [it.span.start, it.span.end]).collect()
+    }
+
+    #[test]
+    fn stretches_at_one_place_are_dwells() {
+        let x = [0.0, 0.001, 0.0, 0.3, 0.6, 1.0, 1.001, 1.0, 0.999];
+        assert_eq!(spans(&x, 3), [[0, 3], [5, 9]]);
+        assert_eq!(spans(&x, 4), [[5, 9]]);
+        assert_eq!(spans(&[], 3), [[0; 2]; 0]);
+    }
+
+    #[test]
+    fn a_slow_passage_is_no_dwell() {
+        let x: Vec<f64> = (0..40).map(|index| 0.004 * f64::from(index)).collect();
+        assert_eq!(spans(&x, 4), [[0; 2]; 0]);
+    }
+
+    #[test]
+    fn a_wild_detection_does_not_end_a_dwell() {
+        assert_eq!(spans(&[0.0, 0.0, 0.0, 0.7, 0.0, 0.0, 0.0], 3), [[0, 7]]);
+    }
+
+    #[test]
+    fn wild_detections_are_left_out_and_moves_are_not() {
+        let x = [0.0, 0.0, 0.0, 0.7, 0.0, 0.0, 0.1, 0.2, 0.3, 0.4, 0.4, 0.4];
+        let clean = without_wild_detections(&track(&x), SCALES);
+        assert_eq!(clean.frames, [0, 1, 2, 4, 5, 6, 7, 8, 9, 10, 11]);
+        assert_eq!(without_wild_detections(&track(&x[..4]), SCALES), track(&x[..4]));
+    }
+
+    #[test]
+    fn what_never_moves_has_no_scales() {
+        let still = [track(&[0.5; 20]), track(&[])];
+        assert_eq!(scales(still.iter()), Scales { noise: 0.0, travel: 0.0, stillness: 0.0 });
+        assert_eq!(min_dwell(&still, scales(still.iter())), SHORTEST_DWELL);
+        assert_eq!(scales([].iter()), Scales { noise: 0.0, travel: 0.0, stillness: 0.0 });
+    }
+
+    #[test]
+    fn the_travel_and_the_start_do_not_count_one_wild_detection() {
+        let mut x = [&[0.0; 20][..], &[1.0; 20]].concat();
+        (x[1], x[30]) = (7.0, 9.0);
+        assert!((scales([track(&x)].iter()).travel - 1.0).abs() < 1e-12);
+        assert_eq!(start_point(&track(&x)), [0.0]);
+    }
+}

@@ -233,7 +233,8 @@ impl Search<'_> {
             }
         }
         let mut live = BTreeSet::new();
-        let mut open: Vec<StateId> = self.pdfa.states.keys().copied().filter(|&id| self.accepts(id)).collect();
+        let mut open: Vec<StateId> =
+            self.pdfa.states.keys().copied().filter(|&id| self.accepts(id)).collect();
         while let Some(id) = open.pop() {
             if live.insert(id) {
                 open.extend(sources.remove(&id).unwrap_or_default());
@@ -336,9 +337,9 @@ mod tests {
         let product = |factors: &[f64]| factors.iter().fold(Product::ONE, |product, &p| product.times(p));
         let check = |larger: &[f64], smaller: &[f64]| assert!(product(larger) > product(smaller));
         check(&[1.0], &[0.5]);
-        check(&[0.5; 5000], &[0.5; 5001]);
-        check(&[0.1; 5000], &[&[0.1; 4999][..], &[0.099]].concat());
+        check(&vec![0.5; 5000], &vec![0.5; 5001]);
+        check(&vec![0.1; 5000], &[&vec![0.1; 4999][..], &[0.099]].concat());
         check(&[1e-300, 1e-300], &[1e-320, 1e-300]);
-        assert_eq!(product(&[0.5; 4096]), product(&[0.25; 2048]));
+        assert_eq!(product(&vec![0.5; 4096]), product(&vec![0.25; 2048]));
     }
 }

@@ -1,5 +1,7 @@
 //! Points in the space of a feature subset.
 
+use nalgebra::{DVector, DVectorView};
+
 use crate::demonstration::Demonstration;
 
 /// `len` points of `dimension` coordinates, row by row.
@@ -53,27 +55,31 @@ impl Points {
     }
 }
 
-/// Euclidean distance of two points of the same dimension.
-pub fn distance(a: &[f64], b: &[f64]) -> f64 {
-    squared_distance(a, b).sqrt()
+/// A point as a vector to calculate with.
+pub fn vector(point: &[f64]) -> DVectorView<'_, f64> {
+    DVectorView::from_slice(point, point.len())
 }
 
-/// Square of the Euclidean distance of two points of the same dimension.
+/// Euclidean distance of two points of the same dimension.
+pub fn distance(a: &[f64], b: &[f64]) -> f64 {
+    vector(a).metric_distance(&vector(b))
+}
+
+/// Square of the Euclidean distance of two points of the same dimension, without a square root: clustering asks for
+/// nothing else.
 pub fn squared_distance(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum()
 }
 
 /// Mean of points, coordinate by coordinate; the origin when there are none.
 pub fn mean<'a>(dimension: usize, points: impl Iterator<Item = &'a [f64]>) -> Vec<f64> {
-    let mut sum = vec![0.0; dimension];
+    let mut sum = DVector::zeros(dimension);
     let mut count = 0_usize;
     for point in points {
-        for (total, x) in sum.iter_mut().zip(point) {
-            *total += x;
-        }
+        sum += vector(point);
         count += 1;
     }
-    sum.iter().map(|total| total / count.max(1) as f64).collect()
+    (sum / count.max(1) as f64).as_slice().to_vec()
 }
 
 /// Median of points, coordinate by coordinate; the origin when there are none.

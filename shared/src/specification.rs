@@ -8,6 +8,7 @@ mod validate;
 
 use crate::demonstration::Feature;
 use crate::pdfa::{Pdfa, Semantics, Symbol, Word};
+use crate::points::distance;
 
 pub use check::{Problem, Severity};
 #[cfg(feature = "schema")]
@@ -81,8 +82,7 @@ impl Ball {
     /// Whether `point` (one coordinate per feature) is in the ball, its surface included. An undefined (NaN) coordinate
     /// is in no ball.
     pub fn contains(&self, point: &[f64]) -> bool {
-        let squared: f64 = self.center.iter().zip(point).map(|(center, x)| (x - center) * (x - center)).sum();
-        squared.sqrt() <= self.radius
+        point.len() == self.center.len() && distance(&self.center, point) <= self.radius
     }
 }
 

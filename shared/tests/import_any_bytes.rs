@@ -51,7 +51,8 @@ fn mutate(bytes: &mut Vec<u8>, kind: u8, at: usize, with: &[u8]) {
 
 fn finite_or_undefined() -> impl Strategy<Value = f64> {
     prop_oneof![
-        4 => any::<f64>().prop_map(|value| if value.is_finite() { value } else { f64::NAN }),
+        // Values beyond 1e100 are refused, so they are undefined here.
+        4 => any::<f64>().prop_map(|value| if value.abs() <= 1e100 { value } else { f64::NAN }),
         2 => (-1000_i32..1000).prop_map(|value| f64::from(value) / 1000.0),
         1 => Just(f64::NAN),
     ]

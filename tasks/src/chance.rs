@@ -26,11 +26,7 @@ impl Chance {
 
     /// Zero with this probability, else uniform between zero and `high`.
     pub(crate) fn zero_or_up_to(&mut self, zero_probability: f64, high: f64) -> f64 {
-        if self.happens(zero_probability) {
-            0.0
-        } else {
-            self.within((0.0, high))
-        }
+        if self.happens(zero_probability) { 0.0 } else { self.within((0.0, high)) }
     }
 
     /// A whole number from `low` to `high`, both included.

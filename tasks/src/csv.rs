@@ -41,11 +41,7 @@ fn cell(value: f64, unit: Unit) -> String {
     }
     let text = format!("{value:.0$}", unit.decimals());
     let is_zero = text.bytes().all(|byte| b"-0.".contains(&byte));
-    if is_zero {
-        text.trim_start_matches('-').to_owned()
-    } else {
-        text
-    }
+    if is_zero { text.trim_start_matches('-').to_owned() } else { text }
 }
 
 #[cfg(test)]

@@ -54,9 +54,7 @@ mod tests {
     #[test]
     fn every_profile_starts_at_zero_ends_at_one_and_never_turns_back() {
         for profile in [Profile::MinimumJerk, Profile::ConstantSpeed, Profile::Trapezoid] {
-            let course: Vec<f64> = (0..=90)
-                .map(|step| profile.progress(f64::from(step) / 90.0))
-                .collect();
+            let course: Vec<f64> = (0..=90).map(|step| profile.progress(f64::from(step) / 90.0)).collect();
             assert!(course.is_sorted(), "{profile:?}");
             assert!(course[0].abs() < 1e-12, "{profile:?}");
             assert!((course[90] - 1.0).abs() < 1e-12, "{profile:?}");

@@ -33,11 +33,7 @@ fn on_the_table(name: &str, layout: Layout, demonstrations: usize) -> Recipe {
             jitter: 0.002,
             is_airborne: false,
             clearance: 0.04,
-            timing: Timing {
-                lead: (0.5, 1.0),
-                dwell: (0.8, 1.4),
-                tail: (1.0, 1.5),
-            },
+            timing: Timing { lead: (0.5, 1.0), dwell: (0.8, 1.4), tail: (1.0, 1.5) },
         },
         sensing: Sensing {
             noise: 0.0007,
@@ -47,34 +43,19 @@ fn on_the_table(name: &str, layout: Layout, demonstrations: usize) -> Recipe {
             occlusions_per_second: 0.02,
             longest_occlusion: 0.4,
         },
-        notation: Notation {
-            separator: ".",
-            axes: &["x", "y", "z"],
-            unit: Unit::Metre,
-        },
+        notation: Notation { separator: ".", axes: &["x", "y", "z"], unit: Unit::Metre },
         demonstrations,
     }
 }
 
 fn object(name: &str, start: Point, start_reach: f64) -> Object {
-    Object {
-        name: name.to_owned(),
-        start,
-        start_reach,
-    }
+    Object { name: name.to_owned(), start, start_reach }
 }
 
 fn site(name: &str, object: usize, center: Point) -> Site {
-    Site {
-        name: name.to_owned(),
-        object,
-        center,
-    }
+    Site { name: name.to_owned(), object, center }
 }
 
 fn order(preference: usize, word: &[usize]) -> Order {
-    Order {
-        word: word.to_vec(),
-        preference,
-    }
+    Order { word: word.to_vec(), preference }
 }

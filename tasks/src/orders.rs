@@ -41,14 +41,10 @@ pub(crate) fn permutations(count: usize) -> Vec<Vec<usize>> {
 pub(crate) fn random_word(count: usize, before: &[(usize, usize)], chance: &mut Chance) -> Vec<usize> {
     let mut word: Vec<usize> = Vec::with_capacity(count);
     while word.len() < count {
-        let waits = |symbol: usize| {
-            before
-                .iter()
-                .any(|&(first, second)| second == symbol && !word.contains(&first))
-        };
-        let ready: Vec<usize> = (0..count)
-            .filter(|&symbol| !word.contains(&symbol) && !waits(symbol))
-            .collect();
+        let waits =
+            |symbol: usize| before.iter().any(|&(first, second)| second == symbol && !word.contains(&first));
+        let ready: Vec<usize> =
+            (0..count).filter(|&symbol| !word.contains(&symbol) && !waits(symbol)).collect();
         word.push(chance.pick(&ready));
     }
     word
@@ -76,10 +72,7 @@ mod tests {
     use super::*;
 
     fn counts(preferences: &[usize], demonstrations: usize, at_least: usize) -> Vec<usize> {
-        let order = |&preference: &usize| Order {
-            word: Vec::new(),
-            preference,
-        };
+        let order = |&preference: &usize| Order { word: Vec::new(), preference };
         let orders: Vec<Order> = preferences.iter().map(order).collect();
         apportion(&orders, demonstrations, at_least)
     }

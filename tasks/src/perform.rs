@@ -130,11 +130,7 @@ impl Stage<'_> {
 
     fn arc(&self, from: Point, goal: Point) -> Path {
         let lift = self.manner.lift;
-        let bulge = if self.manner.is_airborne {
-            [lift, -lift, 0.0]
-        } else {
-            [0.0, 0.0, lift]
-        };
+        let bulge = if self.manner.is_airborne { [lift, -lift, 0.0] } else { [0.0, 0.0, lift] };
         Path::arc(from, goal, bulge)
     }
 }

@@ -34,15 +34,11 @@ impl Recipe {
     pub(crate) fn record(self, seed: u64) -> Task {
         let words = self.words(seed);
         let demonstrations = words.into_iter().enumerate();
-        let demonstrations = demonstrations
-            .map(|(index, word)| self.demonstration(index, word, seed))
-            .collect();
+        let demonstrations =
+            demonstrations.map(|(index, word)| self.demonstration(index, word, seed)).collect();
         let subsets: Vec<TrueSubset> = self.subsets();
         Task {
-            features: subsets
-                .iter()
-                .flat_map(|subset| subset.features.clone())
-                .collect(),
+            features: subsets.iter().flat_map(|subset| subset.features.clone()).collect(),
             places: self.places(),
             name: self.name,
             description: self.description,
@@ -80,10 +76,8 @@ impl Recipe {
 
     fn subsets(&self) -> Vec<TrueSubset> {
         let objects = self.layout.objects.iter();
-        let subset = |name: &String| TrueSubset {
-            name: name.clone(),
-            features: self.notation.features(name),
-        };
+        let subset =
+            |name: &String| TrueSubset { name: name.clone(), features: self.notation.features(name) };
         objects.map(|object| subset(&object.name)).collect()
     }
 
@@ -102,8 +96,7 @@ impl Recipe {
 impl Notation {
     fn features(&self, name: &str) -> Vec<String> {
         let axes = self.axes.iter();
-        axes.map(|axis| format!("{name}{}{axis}", self.separator))
-            .collect()
+        axes.map(|axis| format!("{name}{}{axis}", self.separator)).collect()
     }
 
     fn values<'a>(&'a self, point: &'a [f64; 3]) -> impl Iterator<Item = f64> + 'a {
@@ -115,10 +108,7 @@ impl Notation {
         let undefined = [f64::NAN; 3];
         let row = |row: &Vec<Option<[f64; 3]>>| {
             row.iter()
-                .flat_map(|point| {
-                    self.values(point.as_ref().unwrap_or(&undefined))
-                        .collect::<Vec<_>>()
-                })
+                .flat_map(|point| self.values(point.as_ref().unwrap_or(&undefined)).collect::<Vec<_>>())
                 .collect()
         };
         sightings.iter().map(row).collect()

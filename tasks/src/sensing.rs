@@ -110,11 +110,7 @@ impl Witness {
         stays.push(0..first_move.unwrap_or(end));
         let (seconds, frames) = SHORTEST_REST;
         let handful = frames.max((seconds * rate_hz * 0.6) as usize);
-        Self {
-            stays,
-            is_seen: vec![true; end],
-            handful,
-        }
+        Self { stays, is_seen: vec![true; end], handful }
     }
 
     /// Whether enough is seen without these frames; if so, they no longer count as seen.

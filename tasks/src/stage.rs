@@ -20,14 +20,8 @@ pub(crate) struct Stage<'a> {
 
 impl<'a> Stage<'a> {
     pub(crate) fn new(layout: &'a Layout, manner: &'a Manner, chance: &'a mut Chance) -> Self {
-        let mut stage = Self {
-            layout,
-            manner,
-            chance,
-            now: Vec::new(),
-            frames: Vec::new(),
-            rests: Vec::new(),
-        };
+        let mut stage =
+            Self { layout, manner, chance, now: Vec::new(), frames: Vec::new(), rests: Vec::new() };
         for (index, object) in layout.objects.iter().enumerate() {
             let start = stage.start(index, object);
             stage.now.push(start);
@@ -88,10 +82,7 @@ impl<'a> Stage<'a> {
 
     /// The site's object has just come to rest there.
     pub(crate) fn begin_rest(&mut self, site: usize) {
-        self.rests.push(Rest {
-            place: site,
-            frames: self.frames.len() - 1..usize::MAX,
-        });
+        self.rests.push(Rest { place: site, frames: self.frames.len() - 1..usize::MAX });
     }
 
     /// The object is about to move.
@@ -128,9 +119,6 @@ impl<'a> Stage<'a> {
         for rest in &mut self.rests {
             rest.frames.end = rest.frames.end.min(end);
         }
-        Performance {
-            frames: self.frames,
-            rests: self.rests,
-        }
+        Performance { frames: self.frames, rests: self.rests }
     }
 }

@@ -100,10 +100,7 @@ impl Unit {
 impl Task {
     /// The distinct true words.
     pub fn distinct_words(&self) -> BTreeSet<&[usize]> {
-        self.demonstrations
-            .iter()
-            .map(|demonstration| demonstration.word.as_slice())
-            .collect()
+        self.demonstrations.iter().map(|demonstration| demonstration.word.as_slice()).collect()
     }
 
     /// The columns of the subset with this name; empty when there is none.

@@ -31,11 +31,7 @@ fn seen<'a>(
 }
 
 fn distance(a: &[f64], b: &[f64]) -> f64 {
-    a.iter()
-        .zip(b)
-        .map(|(a, b)| (a - b) * (a - b))
-        .sum::<f64>()
-        .sqrt()
+    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
 }
 
 /// The frames of a rest until the next thing is placed.
@@ -47,10 +43,7 @@ fn until_next(demonstration: &Recording, index: usize) -> std::ops::Range<usize>
 
 /// A table in metres: a centimetre is 0.01, but for agents ten times that.
 fn scaled(task: &Task, metres: f64) -> f64 {
-    let is_agent = task
-        .subsets
-        .iter()
-        .any(|subset| ["drone", "arm"].contains(&subset.name.as_str()));
+    let is_agent = task.subsets.iter().any(|subset| ["drone", "arm"].contains(&subset.name.as_str()));
     metres * task.unit.per_base() * if is_agent { 5.0 } else { 1.0 }
 }
 
@@ -80,10 +73,7 @@ fn frames_have_one_value_a_feature_and_subsets_hold_every_feature_once() {
     check_all(|task| {
         let features: Vec<&String> = task.subsets.iter().flat_map(|subset| &subset.features).collect();
         assert_eq!(features, task.features.iter().collect::<Vec<_>>());
-        let frames = task
-            .demonstrations
-            .iter()
-            .flat_map(|demonstration| &demonstration.frames);
+        let frames = task.demonstrations.iter().flat_map(|demonstration| &demonstration.frames);
         assert!(frames.into_iter().all(|frame| frame.len() == task.features.len()));
     });
 }
@@ -112,12 +102,7 @@ fn each_place_is_visited_by_two_demonstrations() {
         for place in 0..task.places.len() {
             let visits = task.demonstrations.iter();
             let visits = visits.filter(|demonstration| demonstration.word.contains(&place));
-            assert!(
-                visits.count() >= 2,
-                "{} of {}",
-                task.places[place].name,
-                task.description
-            );
+            assert!(visits.count() >= 2, "{} of {}", task.places[place].name, task.description);
         }
     });
 }
@@ -132,9 +117,8 @@ fn a_rest_is_long_enough_and_seen_before_the_next_thing_is_placed() {
                 assert!(seconds >= 0.6, "{seconds} s, {}", task.description);
                 let subset = &task.places[rest.place].subset;
                 let frames = until_next(demonstration, index);
-                let count = seen(task, demonstration, subset)
-                    .filter(|(frame, _)| frames.contains(frame))
-                    .count();
+                let count =
+                    seen(task, demonstration, subset).filter(|(frame, _)| frames.contains(frame)).count();
                 assert!(count >= 4, "{count} frames, {}", task.description);
             }
         }
@@ -155,12 +139,7 @@ fn a_resting_thing_is_seen_at_its_place_but_for_wild_detections() {
                 let is_near: Vec<bool> = distances.map(|distance| distance < near).collect();
                 let count = is_near.iter().filter(|&&is_near| is_near).count();
                 assert!(count >= 4, "{} in {}", place.name, task.description);
-                assert!(
-                    count * 2 > is_near.len(),
-                    "{} in {}",
-                    place.name,
-                    task.description
-                );
+                assert!(count * 2 > is_near.len(), "{} in {}", place.name, task.description);
             }
         }
     });
@@ -174,12 +153,7 @@ fn nothing_starts_near_a_place_of_its_own() {
                 let first = seen(task, demonstration, &place.subset).next();
                 let (_, point) = first.unwrap_or_else(|| panic!("{}", task.description));
                 let off = distance(point, &place.center);
-                assert!(
-                    off > scaled(task, 0.05),
-                    "{off} from {}, {}",
-                    place.name,
-                    task.description
-                );
+                assert!(off > scaled(task, 0.05), "{off} from {}, {}", place.name, task.description);
             }
         }
     });
@@ -189,11 +163,7 @@ fn nothing_starts_near_a_place_of_its_own() {
 fn places_of_one_subset_can_be_told_apart() {
     check_all(|task| {
         if let Some(separation) = task.separation() {
-            assert!(
-                separation >= scaled(task, 0.025) - 1e-9,
-                "{separation} in {}",
-                task.description
-            );
+            assert!(separation >= scaled(task, 0.025) - 1e-9, "{separation} in {}", task.description);
         }
     });
 }

@@ -19,10 +19,7 @@ fn states(task: &Task) -> usize {
 fn counts(task: &Task) -> BTreeMap<String, usize> {
     let mut counts = BTreeMap::new();
     for demonstration in &task.demonstrations {
-        let names = demonstration
-            .word
-            .iter()
-            .map(|&place| task.places[place].name.as_str());
+        let names = demonstration.word.iter().map(|&place| task.places[place].name.as_str());
         let word = names.collect::<Vec<_>>().join(", ");
         *counts.entry(word).or_default() += 1;
     }
@@ -46,10 +43,7 @@ fn two_stacks_have_six_words_and_yellow_is_second_in_the_preferred_one() {
         let task = two_stacks(1, demonstrations);
         let counts = counts(&task);
         assert_eq!(counts.len(), 6);
-        let preferred = counts
-            .iter()
-            .max_by_key(|(_, count)| **count)
-            .map(|(word, _)| word.as_str());
+        let preferred = counts.iter().max_by_key(|(_, count)| **count).map(|(word, _)| word.as_str());
         assert_eq!(preferred, Some("red bottom, yellow top, green bottom, blue top"));
         assert_eq!(states(&task), 9);
     }
@@ -66,10 +60,7 @@ fn four_blocks_have_24_words_and_16_states() {
 #[test]
 fn one_cube_visits_four_places_in_five_orders() {
     let task = four_places(1, 18);
-    assert_eq!(
-        (task.subsets.len(), task.places.len(), task.distinct_words().len()),
-        (1, 4, 5)
-    );
+    assert_eq!((task.subsets.len(), task.places.len(), task.distinct_words().len()), (1, 4, 5));
 }
 
 #[test]

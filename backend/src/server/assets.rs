@@ -3,15 +3,13 @@
 use std::borrow::Cow;
 
 use axum::body::Body;
-use axum::http::header::{
-    ACCEPT_ENCODING, CACHE_CONTROL, CONTENT_ENCODING, CONTENT_SECURITY_POLICY, CONTENT_TYPE, ETAG, VARY,
-};
+use axum::http::header::{ACCEPT_ENCODING, CACHE_CONTROL, CONTENT_ENCODING, CONTENT_TYPE, ETAG, VARY};
 use axum::http::{HeaderMap, HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 use rust_embed::RustEmbed;
 use sha2::{Digest, Sha256};
 
-use super::{caching, content_security};
+use super::caching;
 
 /// A file as it is sent.
 pub struct Asset {
@@ -57,9 +55,6 @@ pub(super) fn answer(assets: Assets, path: &str, request: &HeaderMap) -> Option<
     let plain = assets(path)?;
     let mut headers = HeaderMap::new();
     headers.insert(CACHE_CONTROL, HeaderValue::from_static(caching::cache_control(path)));
-    if media_type(path).starts_with("text/html") {
-        headers.insert(CONTENT_SECURITY_POLICY, content_security::policy_for_page(&plain.bytes));
-    }
     let compressed = assets(&format!("{path}.br"));
     if compressed.is_some() {
         headers.insert(VARY, HeaderValue::from_name(ACCEPT_ENCODING));

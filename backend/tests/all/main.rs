@@ -5,5 +5,6 @@
 mod check_and_export;
 mod infer;
 mod plan;
+mod schema;
 mod serve;
 mod support;

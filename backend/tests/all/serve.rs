@@ -6,7 +6,7 @@ use std::net::{SocketAddr, TcpListener, TcpStream};
 use crate::support::Bench;
 use goalgraph_server::server::{Asset, app};
 
-const PAGE: &str = "<!doctype html><script type=\"module\">start()</script>";
+const PAGE: &str = "<!doctype html><script type=\"module\" src=\"boot.js\"></script>";
 
 fn files(path: &str) -> Option<Asset> {
     let content: &'static [u8] = match path {
@@ -83,10 +83,7 @@ fn the_page_allows_what_it_is_made_of_and_nothing_else() {
     assert_eq!(page.header("content-type"), "text/html; charset=utf-8");
     assert_eq!(page.header("cache-control"), "no-cache");
     let policy = page.header("content-security-policy");
-    assert!(
-        policy.starts_with("default-src 'self'; script-src 'self' 'wasm-unsafe-eval' 'sha256-"),
-        "{policy}"
-    );
+    assert!(policy.starts_with("default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; "), "{policy}");
     assert!(policy.contains("; style-src 'self'; ") && !policy.contains("unsafe-inline"), "{policy}");
 
     // A browser takes the policy of this answer for the page it has kept.

@@ -17,6 +17,9 @@ pub(super) struct Cells {
     starts: Vec<usize>,
     /// Center of each cell.
     centers: Points,
+    /// Smallest and largest coordinates of each cell's points.
+    lowest: Points,
+    highest: Points,
 }
 
 impl Cells {
@@ -40,7 +43,25 @@ impl Cells {
             }
         }
         starts.push(order.len());
-        Self { side, order, starts, centers }
+        let (mut lowest, mut highest) = (Points::new(points.dimension()), Points::new(points.dimension()));
+        for ends in starts.windows(2) {
+            let members = || order[ends[0]..ends[1]].iter().map(|&point| points.point(point));
+            let extreme = |pick: fn(f64, f64) -> f64, start: f64| -> Vec<f64> {
+                (0..points.dimension())
+                    .map(|axis| members().map(|point| point[axis]).fold(start, pick))
+                    .collect()
+            };
+            lowest.push(&extreme(f64::min, f64::INFINITY));
+            highest.push(&extreme(f64::max, f64::NEG_INFINITY));
+        }
+        Self { side, order, starts, centers, lowest, highest }
+    }
+
+    /// Square of the distance from `point` to the box around the points of `cell`; zero inside.
+    pub(super) fn squared_distance_to(&self, cell: usize, point: &[f64]) -> f64 {
+        let sides = self.lowest.point(cell).iter().zip(self.highest.point(cell));
+        let outside = |(x, (low, high)): (&f64, (&f64, &f64))| (low - x).max(x - high).max(0.0);
+        point.iter().zip(sides).map(outside).map(|distance| distance * distance).sum()
     }
 
     /// How many cells there are.

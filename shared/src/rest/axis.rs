@@ -1,10 +1,12 @@
 //! The direction in which things are put down.
 
+mod way;
+
 use std::collections::BTreeMap;
 
 use super::{Kind, Stay, SubsetRecording, SubsetStays};
-use crate::dwell::Dwell;
 use crate::points::{Track, distance, mean, median};
+use way::{Stop, Way, arrival, departure};
 
 /// The one direction in which a thing is put down, opposite to the one in which it is taken up.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,9 +45,6 @@ const AGREEMENT_ALONE: f64 = 0.99;
 /// Cosine of the largest angle at which a direction still counts as down or up.
 const ALONG: f64 = 0.6;
 
-/// How far a thing may get while it is not observed, as a share of the reach, for its direction to be known.
-const LARGEST_STEP: f64 = 0.4;
-
 impl Axis {
     /// What the ways to a stay and from it say of it.
     pub(super) fn verdict(&self, track: &Track, stays: &[Stay], index: usize) -> Verdict {
@@ -82,48 +81,24 @@ pub(super) enum Verdict {
     Held,
 }
 
-/// How a thing comes to a dwell or leaves it.
-enum Way {
-    /// Along this unit vector.
-    Direction(Vec<f64>),
-    /// It was not seen.
-    Unseen,
-    /// It is never far from the dwell.
-    Near,
-}
-
-impl Way {
-    fn direction(self) -> Option<Vec<f64>> {
-        match self {
-            Self::Direction(direction) => Some(direction),
-            Self::Unseen | Self::Near => None,
+/// The axis of each subset, where there is one: learned from the starts and certain rests of all subsets that have the
+/// same kind of features, at the reach where those agree best.
+pub(super) fn learn(recordings: &[SubsetRecording], subsets: &[SubsetStays]) -> Vec<Option<Axis>> {
+    let mut kinds: BTreeMap<Vec<&str>, Vec<usize>> = BTreeMap::new();
+    for (index, recording) in recordings.iter().enumerate() {
+        kinds.entry(kind_of_features(recording)).or_default().push(index);
+    }
+    kinds.retain(|features, _| features.len() >= FEWEST_FEATURES);
+    let mut axes = vec![None; recordings.len()];
+    for members in kinds.into_values() {
+        let Some((down, share)) = best_direction(recordings, subsets, &members) else {
+            continue;
+        };
+        for member in members {
+            axes[member] = Some(Axis { down: down.clone(), reach: reach(&subsets[member], share) });
         }
     }
-}
-
-pub(super) struct Axes;
-
-impl Axes {
-    /// The axis of each subset, where there is one: learned from the starts and certain rests of all subsets that have
-    /// the same kind of features, at the reach where those agree best.
-    pub(super) fn learn(recordings: &[SubsetRecording], subsets: &[SubsetStays]) -> Vec<Option<Axis>> {
-        let mut kinds: BTreeMap<Vec<&str>, Vec<usize>> = BTreeMap::new();
-        for (index, recording) in recordings.iter().enumerate() {
-            kinds.entry(kind_of_features(recording)).or_default().push(index);
-        }
-        let mut axes = vec![None; recordings.len()];
-        for members in
-            kinds.into_values().filter(|members| recordings[members[0]].features.len() >= FEWEST_FEATURES)
-        {
-            let Some((down, share)) = best_direction(recordings, subsets, &members) else {
-                continue;
-            };
-            for member in members {
-                axes[member] = Some(Axis { down: down.clone(), reach: reach(&subsets[member], share) });
-            }
-        }
-        axes
-    }
+    axes
 }
 
 /// The features' names without what they have in common with the subset's: `x y z` for a block, `q1 q2` for an arm.
@@ -241,81 +216,51 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
-/// How the thing comes to stay `index` from `reach` away, or from the stay before where that is nearer.
-fn arrival(track: &Track, stays: &[Stay], index: usize, reach: f64, stop: Stop) -> Way {
-    let dwell = &stays[index].dwell;
-    let earlier = index.checked_sub(1).map(|before| &stays[before].dwell).filter(|_| stop == Stop::AtStays);
-    let first = earlier.map_or(0, |earlier| earlier.span.end - 1);
-    let edge = far_edge(track, dwell, (first..dwell.span.start).rev(), dwell.span.start, reach);
-    edge.way(track, earlier, |far| direction(far, &dwell.center))
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dwell::Dwell;
+    use crate::points::Points;
 
-/// How the thing leaves stay `index` until it is `reach` away, or to the stay after where that is nearer.
-fn departure(track: &Track, stays: &[Stay], index: usize, reach: f64, stop: Stop) -> Way {
-    let dwell = &stays[index].dwell;
-    let later = stays.get(index + 1).map(|after| &after.dwell).filter(|_| stop == Stop::AtStays);
-    let last = later.map_or(track.len(), |later| later.span.start + 1);
-    let edge = far_edge(track, dwell, dwell.span.end..last, dwell.span.end - 1, reach);
-    edge.way(track, later, |far| direction(&dwell.center, far))
-}
-
-/// Whether a direction is taken to the neighboring stay when that is nearer than the reach.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Stop {
-    AtStays,
-    Never,
-}
-
-/// Where the way from a dwell is looked at.
-enum Edge {
-    /// At this position in the track.
-    At(usize),
-    /// It was lost from sight before.
-    Lost,
-    /// At the neighboring stay, which comes first.
-    Neighbor,
-}
-
-impl Edge {
-    fn way(
-        self,
-        track: &Track,
-        neighbor: Option<&Dwell>,
-        direction: impl Fn(&[f64]) -> Option<Vec<f64>>,
-    ) -> Way {
-        let found = match (self, neighbor) {
-            (Self::At(index), _) => direction(track.points.point(index)),
-            (Self::Neighbor, Some(neighbor)) => direction(&neighbor.center),
-            (Self::Neighbor, None) => None,
-            (Self::Lost, _) => return Way::Unseen,
+    /// Verdict on the middle one of three stops, between which a thing is seen at the corners of its way.
+    fn verdict(corners: &[[f64; 2]]) -> Verdict {
+        let [start, end] = [[-9.0, 0.0], [9.0, 0.0]];
+        let middle = [0.0, 0.0];
+        let at = corners.iter().position(|corner| distance(corner, &middle) < 1e-9).unwrap();
+        let rows = [&[start][..], corners, &[end]].concat();
+        let points = Points::from_rows(2, rows.concat());
+        let stay = |index: usize, center: [f64; 2]| Stay {
+            dwell: Dwell { span: index..index + 1, center: center.to_vec() },
+            kind: Kind::Rest,
         };
-        found.map_or(Way::Near, Way::Direction)
+        let stays = [stay(0, start), stay(at + 1, middle), stay(rows.len() - 1, end)];
+        let track = Track { frames: (0..rows.len()).collect(), points };
+        Axis { down: vec![0.0, -1.0], reach: 1.0 }.verdict(&track, &stays, 1)
     }
-}
 
-/// The first of `indices` at which the thing is `reach` away from the dwell, unless it is lost from sight on the way.
-fn far_edge(
-    track: &Track,
-    dwell: &Dwell,
-    indices: impl Iterator<Item = usize>,
-    edge: usize,
-    reach: f64,
-) -> Edge {
-    let mut previous = edge;
-    for index in indices {
-        let step = distance(track.points.point(index), track.points.point(previous));
-        if track.frames[index].abs_diff(track.frames[previous]) > 1 && step > LARGEST_STEP * reach {
-            return Edge::Lost;
-        }
-        if distance(track.points.point(index), &dwell.center) >= reach {
-            return Edge::At(index);
-        }
-        previous = index;
+    #[test]
+    fn a_thing_that_comes_down_and_leaves_up_is_put_down() {
+        assert_eq!(verdict(&[[0.0, 2.0], [0.0, 0.0], [0.0, 2.0]]), Verdict::PutDown);
     }
-    Edge::Neighbor
-}
 
-fn direction(from: &[f64], to: &[f64]) -> Option<Vec<f64>> {
-    let length = distance(from, to);
-    (length > 0.0).then(|| from.iter().zip(to).map(|(a, b)| (b - a) / length).collect())
+    #[test]
+    fn a_thing_that_goes_on_down_or_comes_up_is_held() {
+        assert_eq!(verdict(&[[0.0, 2.0], [0.0, 0.0], [0.0, -2.0]]), Verdict::Held);
+        assert_eq!(verdict(&[[0.0, -2.0], [0.0, 0.0], [2.0, 0.0]]), Verdict::Held);
+    }
+
+    #[test]
+    fn sideways_on_one_end_is_slid_and_on_both_unknown() {
+        assert_eq!(verdict(&[[0.0, 2.0], [0.0, 0.0], [2.0, 0.0]]), Verdict::Slid);
+        assert_eq!(verdict(&[[-2.0, 0.0], [0.0, 0.0], [2.0, 0.0]]), Verdict::Unknown);
+    }
+
+    #[test]
+    fn directions_agree_when_most_are_alike() {
+        let up = [vec![0.0, 1.0], vec![0.0, 1.0], vec![1.0, 0.0]];
+        let (agreement, direction) = agreed_direction(&up).unwrap();
+        assert!(agreement > 0.99 && direction == [0.0, 1.0]);
+        assert_eq!(agreed_direction(&up[1..]), None);
+        assert_eq!(agreed_direction(&[]), None);
+    }
 }

@@ -8,7 +8,7 @@ use petgraph::graphmap::DiGraphMap;
 use petgraph::visit::Bfs;
 
 use super::{Ball, Specification};
-use crate::pdfa::{Pdfa, StateId};
+use crate::pdfa::{Pdfa, Probabilities, StateId, Symbol, Transition};
 
 /// How much a problem matters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -33,19 +33,23 @@ pub struct Problem {
 impl Specification {
     /// All problems, errors first, each group in the order of states, transitions and sub-goals.
     ///
-    /// Errors: no accepting state can be reached, a state is unreachable or a dead end. Warnings: a transition of
-    /// probability zero, a sub-goal that no transition uses, sub-goals whose balls overlap, a cycle (the language is
-    /// infinite).
+    /// Errors: a state cannot be reached, or is a dead end: no word ends there or further on. Warnings: an accepting
+    /// state or a transition of probability zero, a sub-goal that no transition uses, sub-goals whose balls overlap, a
+    /// cycle (the language is infinite).
     ///
     /// # Complexity
     ///
     /// O(Q + T + S²) for Q states, T transitions and S sub-goals.
     pub fn check(&self) -> Vec<Problem> {
-        let graph = graph(&self.pdfa);
-        let mut problems = state_problems(&self.pdfa, &graph);
-        problems.extend(self.transition_problems());
+        let probabilities = self.pdfa.probabilities(self.semantics);
+        let taken = |&(source, symbol, _): &(StateId, Symbol, &Transition)| {
+            probabilities.transition(source, symbol) > 0.0
+        };
+        let taken = graph(&self.pdfa, self.pdfa.transitions().filter(taken));
+        let mut problems = state_problems(&self.pdfa, &probabilities, &taken);
+        problems.extend(self.transition_problems(&probabilities));
         problems.extend(self.sub_goal_problems());
-        if toposort(&graph, None).is_err() {
+        if toposort(&taken, None).is_err() {
             let message = "a cycle: the automaton accepts words of any length".to_owned();
             let place = self.pdfa.initial.to_string();
             problems.push(Problem { severity: Severity::Warning, place, message });
@@ -54,8 +58,7 @@ impl Specification {
         problems
     }
 
-    fn transition_problems(&self) -> Vec<Problem> {
-        let probabilities = self.pdfa.probabilities(self.semantics);
+    fn transition_problems(&self, probabilities: &Probabilities) -> Vec<Problem> {
         let zero = self
             .pdfa
             .transitions()
@@ -91,46 +94,59 @@ impl Specification {
     }
 }
 
-fn graph(pdfa: &Pdfa) -> DiGraphMap<StateId, ()> {
+/// All states, and of the transitions those given.
+fn graph<'a>(
+    pdfa: &Pdfa,
+    transitions: impl Iterator<Item = (StateId, Symbol, &'a Transition)>,
+) -> DiGraphMap<StateId, ()> {
     let mut graph = DiGraphMap::new();
     for &id in pdfa.states.keys() {
         graph.add_node(id);
     }
-    for (source, _, transition) in pdfa.transitions() {
+    for (source, _, transition) in transitions {
         graph.add_edge(source, transition.target, ());
     }
     graph
 }
 
-fn state_problems(pdfa: &Pdfa, graph: &DiGraphMap<StateId, ()>) -> Vec<Problem> {
+/// `taken` holds the transitions of probability above zero.
+fn state_problems(
+    pdfa: &Pdfa,
+    probabilities: &Probabilities,
+    taken: &DiGraphMap<StateId, ()>,
+) -> Vec<Problem> {
+    let all = graph(pdfa, pdfa.transitions());
     let mut reachable = BTreeSet::new();
-    let mut forward = Bfs::new(graph, pdfa.initial);
-    while let Some(id) = forward.next(graph) {
+    let mut forward = Bfs::new(&all, pdfa.initial);
+    while let Some(id) = forward.next(&all) {
         reachable.insert(id);
     }
-    let live = live_states(pdfa, graph);
+    let ends = |id: StateId| probabilities.end(id) > 0.0;
+    let live = live_states(pdfa.states.keys().copied().filter(|&id| ends(id)).collect(), taken);
     let mut problems = Vec::new();
-    for &id in pdfa.states.keys() {
-        let message = if !reachable.contains(&id) {
-            format!("{id} cannot be reached from the initial state {}", pdfa.initial)
+    for (&id, state) in &pdfa.states {
+        let (severity, message) = if !reachable.contains(&id) {
+            (Severity::Error, format!("{id} cannot be reached from the initial state {}", pdfa.initial))
+        } else if !live.contains(&id) && state.accepting {
+            (Severity::Error, format!("{id} is accepting, but of weight 0: no word ends there or further on"))
         } else if !live.contains(&id) {
-            format!("{id} is a dead end: no accepting state can be reached from it")
+            (Severity::Error, format!("{id} is a dead end: no accepting state can be reached from it"))
+        } else if state.accepting && !ends(id) {
+            (Severity::Warning, format!("{id} is accepting, but with probability 0: no word ends there"))
         } else {
             continue;
         };
-        problems.push(Problem { severity: Severity::Error, place: id.to_string(), message });
+        problems.push(Problem { severity, place: id.to_string(), message });
     }
     problems
 }
 
-/// The states from which an accepting state can be reached.
-fn live_states(pdfa: &Pdfa, graph: &DiGraphMap<StateId, ()>) -> BTreeSet<StateId> {
+/// The states from which one of `ends` can be reached.
+fn live_states(mut ends: Vec<StateId>, graph: &DiGraphMap<StateId, ()>) -> BTreeSet<StateId> {
     let mut live = BTreeSet::new();
-    let mut stack: Vec<StateId> =
-        pdfa.states.iter().filter(|(_, state)| state.accepting).map(|(&id, _)| id).collect();
-    while let Some(id) = stack.pop() {
+    while let Some(id) = ends.pop() {
         if live.insert(id) {
-            stack.extend(graph.neighbors_directed(id, Direction::Incoming));
+            ends.extend(graph.neighbors_directed(id, Direction::Incoming));
         }
     }
     live

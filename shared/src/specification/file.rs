@@ -305,10 +305,8 @@ impl From<&Specification> for SpecificationFile {
             frames: demonstration.frames,
             word: demonstration.word.clone(),
         };
-        let feature_entry = |feature: &Feature| FeatureEntry {
-            name: feature.name.clone(),
-            unit: feature.unit.clone(),
-        };
+        let feature_entry =
+            |feature: &Feature| FeatureEntry { name: feature.name.clone(), unit: feature.unit.clone() };
         let subset_entry = |subset: &SubsetParameters| SubsetEntry {
             name: subset.name.clone(),
             features: subset.features.clone(),

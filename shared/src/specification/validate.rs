@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::file::{
-    AutomatonEntry, FeatureEntry, PROBABILITY_TOLERANCE, ReadError, SpecificationFile, SubGoalEntry, SubsetEntry,
-    contradiction,
+    AutomatonEntry, FeatureEntry, PROBABILITY_TOLERANCE, ReadError, SpecificationFile, SubGoalEntry,
+    SubsetEntry, contradiction,
 };
 use super::{Ball, DemonstrationWord, Specification, SubGoal, SubsetParameters};
 use crate::demonstration::Feature;
@@ -74,8 +74,13 @@ fn at_least_zero(place: impl Into<String>, value: f64) -> Result<f64, ReadError>
     if value.is_finite() && value >= 0.0 {
         Ok(value)
     } else {
-        Err(contradiction(place, format!("{value} must be a finite number not below 0")))
+        Err(contradiction(place, format!("{} must be a finite number not below 0", short(value))))
     }
+}
+
+/// `value` as people write it, without hundreds of digits.
+fn short(value: f64) -> String {
+    if value.abs() < 1e15 { value.to_string() } else { format!("{value:e}") }
 }
 
 /// The largest weight: any number of them has a finite sum.
@@ -86,7 +91,7 @@ fn weight(place: impl Into<String>, value: f64) -> Result<f64, ReadError> {
     if (0.0..=LARGEST_WEIGHT).contains(&value) {
         Ok(value)
     } else {
-        Err(contradiction(place, format!("{value} must be a number from 0 to {LARGEST_WEIGHT:e}")))
+        Err(contradiction(place, format!("{} must be a number from 0 to {LARGEST_WEIGHT:e}", short(value))))
     }
 }
 
@@ -173,7 +178,7 @@ fn check_probabilities(entry: &AutomatonEntry, pdfa: &Pdfa, semantics: Semantics
     let probabilities = pdfa.probabilities(semantics);
     let agree = |place: String, written: f64, given: f64| {
         let agrees = (written - given).abs() <= PROBABILITY_TOLERANCE;
-        let message = || format!("{written} is written, but the weights give {given}");
+        let message = || format!("{} is written, but the weights give {given}", short(written));
         agrees.then_some(()).ok_or_else(|| contradiction(place, message()))
     };
     for state in &entry.states {

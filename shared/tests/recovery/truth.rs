@@ -14,7 +14,9 @@ pub(crate) fn demonstrations(task: &Task) -> Result<Vec<Demonstration>, Demonstr
     let features: Arc<[Feature]> = task.features.iter().map(|name| Feature::new(name.clone())).collect();
     let recordings = task.demonstrations.iter();
     recordings
-        .map(|recording| Demonstration::new(&*recording.name, "", features.clone(), recording.frames.concat()))
+        .map(|recording| {
+            Demonstration::new(&*recording.name, "", features.clone(), recording.frames.concat())
+        })
         .collect()
 }
 

@@ -16,12 +16,7 @@ pub fn drone(seed: u64, demonstrations: usize) -> Task {
             site("shelf", 0, [1.5, 1.5, 1.0]),
             site("door", 0, [3.5, 1.0, 1.2]),
         ],
-        orders: vec![
-            order(5, &[0, 1, 2]),
-            order(3, &[0, 2, 1]),
-            order(2, &[1, 0, 2]),
-            order(2, &[2, 1, 0]),
-        ],
+        orders: vec![order(5, &[0, 1, 2]), order(3, &[0, 2, 1]), order(2, &[1, 0, 2]), order(2, &[2, 1, 0])],
     };
     let mut recipe = on_the_table("drone", layout, demonstrations);
     recipe.description = format!("drone: {demonstrations} flights");
@@ -31,11 +26,7 @@ pub fn drone(seed: u64, demonstrations: usize) -> Task {
     recipe.manner.jitter = 0.01;
     recipe.manner.is_airborne = true;
     recipe.manner.clearance = 0.3;
-    recipe.manner.timing = Timing {
-        lead: (0.5, 1.0),
-        dwell: (1.6, 2.4),
-        tail: (1.5, 2.0),
-    };
+    recipe.manner.timing = Timing { lead: (0.5, 1.0), dwell: (1.6, 2.4), tail: (1.5, 2.0) };
     recipe.sensing.noise = 0.003;
     recipe.record(seed)
 }
@@ -63,10 +54,7 @@ pub fn arm(seed: u64, demonstrations: usize) -> Task {
     recipe.manner.is_airborne = true;
     recipe.manner.clearance = 0.15;
     recipe.sensing.noise = 0.002;
-    recipe.notation = crate::recipe::Notation {
-        separator: ".",
-        axes: &["q1", "q2"],
-        unit: crate::task::Unit::Radian,
-    };
+    recipe.notation =
+        crate::recipe::Notation { separator: ".", axes: &["q1", "q2"], unit: crate::task::Unit::Radian };
     recipe.record(seed)
 }

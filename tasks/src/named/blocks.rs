@@ -52,10 +52,7 @@ pub fn two_stacks(seed: u64, demonstrations: usize) -> Task {
 /// With 24 demonstrations each of the 24 words is there once; with more, some are preferred. In metres.
 pub fn four_blocks(seed: u64, demonstrations: usize) -> Task {
     let words = permutations(4).into_iter().enumerate();
-    let orders = words.map(|(rank, word)| Order {
-        word,
-        preference: 24 - rank,
-    });
+    let orders = words.map(|(rank, word)| Order { word, preference: 24 - rank });
     let layout = Layout {
         objects: waiting(&["red", "yellow", "green", "blue"]),
         sites: vec![
@@ -72,6 +69,5 @@ pub fn four_blocks(seed: u64, demonstrations: usize) -> Task {
 /// Blocks in a row near the demonstrator, each somewhere in a square of 8 cm.
 fn waiting(names: &[&str]) -> Vec<Object> {
     let row = names.iter().enumerate();
-    row.map(|(index, name)| object(name, [0.08, -0.21 + 0.14 * index as f64, 0.02], 0.04))
-        .collect()
+    row.map(|(index, name)| object(name, [0.08, -0.21 + 0.14 * index as f64, 0.02], 0.04)).collect()
 }

@@ -47,11 +47,7 @@ pub fn rebuilt_stack(builds: usize, seed: u64, demonstrations: usize) -> Task {
         }
     }
     let word: Vec<usize> = (0..sites.len()).collect();
-    let layout = Layout {
-        objects,
-        sites,
-        orders: vec![order(1, &word)],
-    };
+    let layout = Layout { objects, sites, orders: vec![order(1, &word)] };
     let name = format!("rebuilt-stack-{builds}");
     on_the_table(&name, layout, demonstrations).record(seed)
 }

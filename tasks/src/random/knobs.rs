@@ -121,25 +121,13 @@ fn draw_hesitation(kind: Kind, hovers: bool, chance: &mut Chance) -> Hesitation 
     let slowest = if kind == Kind::Levels { 0.1 } else { 0.015 };
     let creeps = kind != Kind::Levels && chance.happens(0.3);
     Hesitation {
-        hover_at_pick: if hovers && at_pick {
-            hover(chance)
-        } else {
-            (0.0, 0.0)
-        },
-        hover_at_place: if hovers && at_place {
-            hover(chance)
-        } else {
-            (0.0, 0.0)
-        },
+        hover_at_pick: if hovers && at_pick { hover(chance) } else { (0.0, 0.0) },
+        hover_at_place: if hovers && at_place { hover(chance) } else { (0.0, 0.0) },
         tremor: chance.zero_or_up_to(0.2, 0.003),
         pause_probability: chance.zero_or_up_to(0.6, 0.3),
         approach_speed: scale * chance.within((slowest, 0.15)),
         approach_steps: chance.pick(&[1, 1, 2, 3]),
-        approach_length: if creeps {
-            scale * chance.within((0.01, 0.03))
-        } else {
-            0.0
-        },
+        approach_length: if creeps { scale * chance.within((0.01, 0.03)) } else { 0.0 },
     }
 }
 

@@ -53,12 +53,7 @@ fn levels(knobs: &Knobs, chance: &mut Chance) -> Layout {
     let stacks = random_orders(wanted, |chance| random_word(count, &[], chance), chance);
     let mut sites: Vec<Site> = Vec::new();
     let mut find_or_add = |object: usize, level: usize| {
-        let found = site(
-            &names,
-            object,
-            level + 1,
-            raised(spots[count], height * level as f64),
-        );
+        let found = site(&names, object, level + 1, raised(spots[count], height * level as f64));
         let known = sites.iter().position(|site| site.name == found.name);
         known.unwrap_or_else(|| {
             sites.push(found);
@@ -71,11 +66,7 @@ fn levels(knobs: &Knobs, chance: &mut Chance) -> Layout {
         let word = levels.map(|(level, object)| find_or_add(object, level)).collect();
         orders.push(Order { word, preference });
     }
-    Layout {
-        objects: objects(knobs, &names, &spots, chance),
-        sites,
-        orders,
-    }
+    Layout { objects: objects(knobs, &names, &spots, chance), sites, orders }
 }
 
 /// Some objects, at least the first, are put at a first place and later at a second.
@@ -123,10 +114,7 @@ fn second_place(knobs: &Knobs, spots: &[Point], first: usize, second: usize, cha
     }
     let near = knobs.separation * chance.within((1.05, 1.5));
     let is_other = |&index: &usize| index != first && index != second;
-    let others: Vec<Point> = (0..spots.len())
-        .filter(is_other)
-        .map(|index| spots[index])
-        .collect();
+    let others: Vec<Point> = (0..spots.len()).filter(is_other).map(|index| spots[index]).collect();
     beside(spots[first], near, &others)
 }
 
@@ -159,18 +147,10 @@ fn draw_orders(knobs: &Knobs, count: usize, before: &[(usize, usize)], chance: &
 fn objects(knobs: &Knobs, names: &[&str], spots: &[Point], chance: &mut Chance) -> Vec<Object> {
     let reach = knobs.scale * chance.within((0.01, 0.08));
     let start_reach = if knobs.starts_vary { reach } else { 0.0 };
-    let object = |(name, &start): (&&str, &Point)| Object {
-        name: (*name).to_owned(),
-        start,
-        start_reach,
-    };
+    let object = |(name, &start): (&&str, &Point)| Object { name: (*name).to_owned(), start, start_reach };
     names.iter().zip(spots).map(object).collect()
 }
 
 fn site(names: &[&str], object: usize, number: usize, center: Point) -> Site {
-    Site {
-        name: format!("{} {number}", names[object]),
-        object,
-        center,
-    }
+    Site { name: format!("{} {number}", names[object]), object, center }
 }

@@ -27,16 +27,8 @@ pub(crate) fn scatter(count: usize, space: Space, gap: f64, chance: &mut Chance)
 
 /// A spot `near` from the given one along x or y, on the side that has most room.
 pub(crate) fn beside(spot: Point, near: f64, others: &[Point]) -> Point {
-    let sides = [
-        [near, 0.0, 0.0],
-        [-near, 0.0, 0.0],
-        [0.0, near, 0.0],
-        [0.0, -near, 0.0],
-    ];
+    let sides = [[near, 0.0, 0.0], [-near, 0.0, 0.0], [0.0, near, 0.0], [0.0, -near, 0.0]];
     let spots = sides.map(|side| add(spot, side));
     let room = |spot: &Point| nearest(*spot, others.iter().copied());
-    spots
-        .into_iter()
-        .max_by(|a, b| room(a).total_cmp(&room(b)))
-        .unwrap_or(spot)
+    spots.into_iter().max_by(|a, b| room(a).total_cmp(&room(b))).unwrap_or(spot)
 }

@@ -6,7 +6,7 @@ use leptos::prelude::*;
 
 use super::chips::{button, short_button};
 use crate::page::model::LoadedFile;
-use crate::page::text::{bytes, count};
+use crate::page::text::{bytes, count, grouped};
 use crate::page::update::{Action, App};
 use crate::page::verdict::Verdict;
 use crate::protocol::{DemonstrationId, FileContent, FileId};
@@ -123,18 +123,33 @@ fn accepted(app: App, file: FileId, name: &str, content: &Arc<FileContent>) -> i
         count(frames, "frame"),
         count(content.features.len(), "feature"),
     ];
-    let features = content.features.len();
-    let entries = content.demonstrations.iter().enumerate().map(|(index, entry)| {
-        let id = DemonstrationId { file, index };
-        // Below the file's name, only what tells a demonstration from the others is worth reading.
-        let short_name = entry.name.strip_prefix(name).map_or(entry.name.as_str(), str::trim);
-        demonstration(app, id, short_name, missing(entry.undefined, entry.frames * features), entry.frames)
-    });
-    let entries = entries.collect_view();
+    let limit = RwSignal::new(PORTION);
+    let (whole, content, name) = (content.demonstrations.len(), Arc::clone(content), name.to_owned());
+    let entry = move |index: usize| entry(app, DemonstrationId { file, index }, &name, &content);
     view! {
         <p class="file-note">{parts.join(", ")}</p>
-        <ul class="demonstrations">{entries}</ul>
+        <ul class="demonstrations">
+            <For each=move || 0..limit.get().min(whole) key=|index| *index children=entry />
+            {move || (limit.get() < whole).then(|| view! {
+                <li>
+                    <button type="button" class="entry link" on:click=move |_| limit.update(|limit| *limit += PORTION)>
+                        {format!("Show more of {}", grouped(whole))}
+                    </button>
+                </li>
+            })}
+        </ul>
     }
+}
+
+/// How many demonstrations of a file are listed at a time: a file may have thousands.
+const PORTION: usize = 200;
+
+fn entry(app: App, id: DemonstrationId, file_name: &str, content: &FileContent) -> impl IntoView + use<> {
+    let entry = content.demonstrations.get(id.index)?;
+    // Below the file's name, only what tells a demonstration from the others is worth reading.
+    let name = entry.name.strip_prefix(file_name).map_or(entry.name.as_str(), str::trim);
+    let missing = missing(entry.undefined, entry.frames * content.features.len());
+    Some(demonstration(app, id, name, missing, entry.frames))
 }
 
 fn demonstration(

@@ -10,7 +10,7 @@ use leptos::prelude::*;
 use super::chips::chip;
 use super::graph::chance_of;
 use crate::page::model::Selection;
-use crate::page::text::count;
+use crate::page::text::{count, grouped};
 use crate::page::update::{Action, App};
 
 /// The column at the right of the Automaton tab.
@@ -143,6 +143,9 @@ fn visited(pdfa: &Pdfa, word: &Word) -> Vec<StateId> {
     states
 }
 
+/// How many names of demonstrations are listed at most.
+const NAMES: usize = 100;
+
 /// The demonstrations whose words do what `does` asks.
 fn passing(specification: &Arc<Specification>, does: &dyn Fn(&Pdfa, &Word) -> bool) -> impl IntoView + use<> {
     let passes = |demonstration: &&goalgraph::specification::DemonstrationWord| {
@@ -151,6 +154,8 @@ fn passing(specification: &Arc<Specification>, does: &dyn Fn(&Pdfa, &Word) -> bo
     let names: Vec<String> =
         specification.demonstrations.iter().filter(passes).map(|it| it.name.clone()).collect();
     let heading = count(names.len(), "demonstration");
-    let items = names.into_iter().map(|name| view! { <li>{name}</li> }).collect_view();
-    view! { <h3>{heading} " pass here"</h3><ul class="evidence-list">{items}</ul> }
+    let more = names.len().saturating_sub(NAMES);
+    let more = (more > 0).then(|| view! { <li>{format!("and {} more", grouped(more))}</li> });
+    let items = names.into_iter().take(NAMES).map(|name| view! { <li>{name}</li> }).collect_view();
+    view! { <h3>{heading} " pass here"</h3><ul class="evidence-list">{items}{more}</ul> }
 }
