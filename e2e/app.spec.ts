@@ -161,3 +161,23 @@ async function exported(page: Page): Promise<string> {
   expect(name).toMatch(/\.goalgraph\.json$/);
   return text;
 }
+
+test("an expert restores a cluster that was eliminated", async ({ page }) => {
+  // The same seed gives the same start places, which are eliminated.
+  await drop(page, [
+    recording("a.csv", ["red", "yellow"], 1),
+    recording("b.csv", ["red", "yellow"], 1),
+    recording("c.csv", ["yellow", "red"], 1),
+  ]);
+  await expect(page.locator("[data-state]")).toHaveCount(4);
+  await page.getByRole("tab", { name: "Sub-goals" }).click();
+  const found = page.getByRole("complementary", { name: "Sub-goals" });
+  await expect(found.getByText("3 of 3 demonstrations start here")).toBeVisible();
+  await expect(found.locator("[data-sub-goal]")).toHaveCount(1);
+
+  await found.getByRole("button", { name: "Restore" }).click();
+  await expect(found.locator("[data-sub-goal]")).toHaveCount(2);
+  await page.getByRole("tab", { name: "Automaton" }).click();
+  // Every demonstration starts at the restored place, so it comes first in every word.
+  await expect(page.locator('[data-transition^="q0 "]')).toHaveCount(1);
+});

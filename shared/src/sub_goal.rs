@@ -69,8 +69,8 @@ pub struct SubGoalSearch {
 /// Searches sub-goals in one subset by DBSCAN over its partial states in all demonstrations.
 ///
 /// With `stays` only frames at rest are clustered; without, every observed frame as published. A cluster whose ball holds
-/// the first observed partial state of a demonstration is eliminated. With `stays` the eliminated ones also show where
-/// demonstrations only start, and where most of them hold the thing on its way.
+/// the first observed partial state of a demonstration is eliminated, unless the request restores it. With `stays` the
+/// eliminated ones also show where demonstrations only start, and where most of them hold the thing on its way.
 ///
 /// # Complexity
 ///
@@ -98,6 +98,10 @@ pub fn find_sub_goals(
         let others = starts_and_pauses(recording, stays, density, radius, &found, &eliminated);
         eliminated.extend(others);
     }
+    let is_restored = |cluster: &Cluster| request.restored.iter().any(|point| cluster.ball.contains(point));
+    let (restored, eliminated): (Vec<_>, Vec<_>) =
+        eliminated.into_iter().partition(|eliminated| is_restored(&eliminated.cluster));
+    found.extend(restored.into_iter().map(|restored: Eliminated| restored.cluster));
     SubGoalSearch { parameters, found, eliminated }
 }
 
@@ -127,14 +131,19 @@ fn parameters(
 }
 
 /// Frames of `track` in which a sub-goal with `ball` holds: every frame in the ball as published, or, with the stays of
-/// the demonstration, those of rests that are mostly in the ball.
-pub fn frames_reached(ball: &Ball, track: &Track, stays: Option<&[Stay]>) -> Vec<usize> {
+/// the demonstration, those of stays that count and are mostly in the ball.
+pub fn frames_reached(
+    ball: &Ball,
+    track: &Track,
+    stays: Option<&[Stay]>,
+    counts: impl Fn(Kind) -> bool,
+) -> Vec<usize> {
     let inside = |&index: &usize| ball.contains(track.points.point(index));
     let Some(stays) = stays else {
         return (0..track.len()).filter(inside).map(|index| track.frames[index]).collect();
     };
     let mut frames = Vec::new();
-    for stay in stays.iter().filter(|stay| stay.kind.is_rest()) {
+    for stay in stays.iter().filter(|stay| counts(stay.kind)) {
         let in_ball: Vec<usize> = stay.dwell.span.clone().filter(inside).collect();
         if 2 * in_ball.len() >= stay.dwell.span.len() || ball.contains(&stay.dwell.center) {
             frames.extend(in_ball.into_iter().map(|index| track.frames[index]));

@@ -28,6 +28,9 @@ pub struct SubsetRequest {
     pub epsilon: Setting<f64>,
     /// DBSCAN's smallest neighborhood of a core point, itself included.
     pub min_points: Setting<usize>,
+    /// Points, one coordinate per feature, in eliminated clusters that the expert takes for sub-goals all the same.
+    #[serde(default)]
+    pub restored: Vec<Vec<f64>>,
 }
 
 /// Proposes one subset per object: features that share their name up to the last `.` or `_` and an axis

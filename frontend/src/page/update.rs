@@ -44,6 +44,13 @@ pub(crate) enum Action {
     Name(String),
     /// Search other subsets; none for the engine's proposal.
     ChooseSubsets(Option<Vec<SubsetRequest>>),
+    /// Take an eliminated cluster for a sub-goal all the same.
+    Restore {
+        /// Name of its subset.
+        subset: String,
+        /// Its center.
+        center: Vec<f64>,
+    },
     /// Cluster other frames.
     ChooseMethod(Method),
     /// Size balls in another way.
@@ -138,6 +145,7 @@ impl App {
             Action::Cancel => self.cancel(),
             Action::Name(name) => model.task_name.set(name),
             Action::ChooseSubsets(subsets) => model.settings.update(|settings| settings.subsets = subsets),
+            Action::Restore { subset, center } => self.restore(&subset, center),
             Action::ChooseMethod(method) => model.settings.update(|settings| settings.method = method),
             Action::ChooseRadius(radius) => model.settings.update(|settings| settings.radius = radius),
             Action::ChooseSemantics(semantics) => model.semantics.set(semantics),
@@ -159,6 +167,15 @@ impl App {
             Action::Export(format) => self.export(format),
             Action::Say(notice) => model.notice.set(notice),
         }
+    }
+
+    fn restore(self, subset: &str, center: Vec<f64>) {
+        let mut subsets = self.derived.subsets.get_untracked();
+        if let Some(request) = subsets.iter_mut().find(|request| request.name == subset) {
+            request.restored.push(center);
+        }
+        self.act(Action::ChooseSubsets(Some(subsets)));
+        self.act(Action::Infer);
     }
 
     fn set_theme(self, theme: Theme) {

@@ -57,6 +57,12 @@ fn objection<'a>(subset: &'a SubsetRequest, names: &mut BTreeSet<&'a str>) -> Op
     if !names.insert(&subset.name) {
         return Some("there are two subsets of this name".to_owned());
     }
+    if subset.restored.iter().any(|point| point.len() != subset.features.len()) {
+        return Some(format!(
+            "a restored point needs {} coordinates, one per feature",
+            subset.features.len()
+        ));
+    }
     match (subset.epsilon, subset.min_points) {
         (Setting::Fixed(epsilon), _) if !(epsilon > 0.0 && epsilon.is_finite()) => {
             Some(format!("epsilon is {epsilon}, but must be a finite number above 0"))

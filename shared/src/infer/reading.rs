@@ -3,7 +3,7 @@
 use crate::demonstration::Demonstration;
 use crate::pdfa::Word;
 use crate::points::Track;
-use crate::rest::{SubsetRecording, SubsetStays, stays};
+use crate::rest::{Stay, SubsetRecording, SubsetStays, stays};
 use crate::specification::{Ball, Specification};
 use crate::sub_goal::{Method, frames_reached};
 use crate::word::{Reached, read_word};
@@ -47,9 +47,13 @@ impl Reading {
     /// For each demonstration the frames in which a sub-goal with `ball` in subset `index` holds.
     pub(super) fn frames_reached(&self, index: usize, ball: &Ball) -> Vec<Vec<usize>> {
         let (recording, stays) = self.subset(index);
+        // Where nothing is ever put down, an expert has restored a place of another kind: then every stay counts.
+        let is_rest = |stay: &&Stay| stay.kind.is_rest() && ball.contains(&stay.dwell.center);
+        let is_resting_place =
+            stays.is_some_and(|stays| stays.demonstrations.iter().flatten().any(|it| is_rest(&it)));
         let in_demonstration = |(demonstration, track): (usize, &Track)| {
             let stays = stays.map(|stays| stays.demonstrations[demonstration].as_slice());
-            frames_reached(ball, track, stays)
+            frames_reached(ball, track, stays, |kind| kind.is_rest() || !is_resting_place)
         };
         recording.tracks.iter().enumerate().map(in_demonstration).collect()
     }

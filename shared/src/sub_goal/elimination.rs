@@ -108,7 +108,7 @@ mod tests {
 
     fn request(epsilon: Setting<f64>, min_points: Setting<usize>) -> SubsetRequest {
         let features = vec!["red.x".to_owned()];
-        SubsetRequest { name: "red".to_owned(), features, epsilon, min_points }
+        SubsetRequest { name: "red".to_owned(), features, epsilon, min_points, restored: Vec::new() }
     }
 
     fn centers(search: &SubGoalSearch) -> Vec<f64> {
@@ -143,6 +143,18 @@ mod tests {
         let search = at_rest(&[way, way, way]);
         assert_eq!(centers(&search), [1.0]);
         assert_eq!(reasons(&search), [(0.0, "3 of 3 demonstrations start here")]);
+    }
+
+    #[test]
+    fn an_eliminated_cluster_is_a_sub_goal_again_when_the_expert_restores_it() {
+        let way: &[(f64, usize)] = &[(0.0, 20), (0.5, 1), (1.0, 20)];
+        let recording = recording(&[way, way, way]);
+        let stays = &stays(std::slice::from_ref(&recording))[0];
+        let mut request = request(Setting::Auto, Setting::Auto);
+        request.restored = vec![vec![0.0]];
+        let search = find_sub_goals(&recording, Some(stays), &request, RadiusRule::Robust);
+        assert_eq!(centers(&search), [1.0, 0.0]);
+        assert_eq!(reasons(&search), []);
     }
 
     #[test]

@@ -186,7 +186,7 @@ fn found(app: App) -> Option<impl IntoView> {
     let subset = shown_subset(app, &specification)?;
     let cards = of_subset(&specification, &subset.name).map(|(it, ball)| card(app, it, ball)).collect_view();
     let eliminated = outcome.eliminated.iter().filter(|cluster| cluster.subset == subset.name);
-    let eliminated: Vec<_> = eliminated.map(eliminated_card).collect();
+    let eliminated: Vec<_> = eliminated.map(|cluster| eliminated_card(app, cluster)).collect();
     let notes = outcome.notes.iter().map(|note| view! { <li>{note.clone()}</li> }).collect_view();
     Some(view! {
         <h2>"Sub-goals of " {subset.name.clone()}</h2>
@@ -210,10 +210,13 @@ fn card(app: App, sub_goal: &SubGoal, ball: &Ball) -> impl IntoView + use<> {
     }
 }
 
-fn eliminated_card(cluster: &EliminatedCluster) -> impl IntoView + use<> {
+fn eliminated_card(app: App, cluster: &EliminatedCluster) -> impl IntoView + use<> {
+    let (subset, center) = (cluster.subset.clone(), cluster.center.clone());
+    let restore = move |_| app.act(Action::Restore { subset: subset.clone(), center: center.clone() });
     view! {
         <li class="sub-goal eliminated">
             <p>{cluster.reason.clone()}</p>
+            <button type="button" on:click=restore title="Take it for a sub-goal all the same">"Restore"</button>
             <dl class="facts">
                 {fact("Center", coordinates(&cluster.center))}
                 {fact("Radius", significant(cluster.radius))}
