@@ -28,11 +28,12 @@ struct Check {
     needs: &'static [&'static str],
 }
 
-const CHECKS: [Check; 8] = [
+const CHECKS: [Check; 9] = [
     Check { name: "format", run: format, needs: &[] },
     Check { name: "clippy", run: clippy, needs: &[] },
     Check { name: "clippy, app", run: clippy_app, needs: &[] },
     Check { name: "Rust tests", run: rust_tests, needs: &[] },
+    Check { name: "app unit tests", run: app_unit_tests, needs: &[] },
     Check { name: "Rust examples", run: rust_examples, needs: &[] },
     Check { name: "app", run: |project, tools, _| app::build(project, &tools.build), needs: &[] },
     Check {
@@ -110,6 +111,13 @@ fn rust_tests(project: &Project, _: &TestTools, tally: &mut Tally) -> Result<()>
         tests.args(["test", "--no-fail-fast", "--tests"]);
     }
     run_watched(tests.arg("--locked").args(NATIVE_CRATES), |line| tally.read(line))
+}
+
+/// What of the app needs no browser runs natively.
+fn app_unit_tests(project: &Project, _: &TestTools, tally: &mut Tally) -> Result<()> {
+    let mut tests = cargo(&project.root);
+    tests.args(["test", "--locked", "--package", "goalgraph-web", "--lib"]);
+    run_watched(&mut tests, |line| tally.read(line))
 }
 
 fn rust_examples(project: &Project, _: &TestTools, tally: &mut Tally) -> Result<()> {
