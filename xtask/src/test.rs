@@ -113,10 +113,14 @@ fn rust_tests(project: &Project, _: &TestTools, tally: &mut Tally) -> Result<()>
     run_watched(tests.arg("--locked").args(NATIVE_CRATES), |line| tally.read(line))
 }
 
-/// What of the app needs no browser runs natively.
+/// What of the app needs no browser runs natively. Compiling leptos takes far longer than the tests, so nothing is
+/// optimized.
 fn app_unit_tests(project: &Project, _: &TestTools, tally: &mut Tally) -> Result<()> {
     let mut tests = cargo(&project.root);
     tests.args(["test", "--locked", "--package", "goalgraph-web", "--lib"]);
+    for setting in ["dev.package.'*'.opt-level=0", "test.opt-level=0", "dev.debug=0", "test.debug=0"] {
+        tests.args(["--config".to_owned(), format!("profile.{setting}")]);
+    }
     run_watched(&mut tests, |line| tally.read(line))
 }
 
