@@ -216,7 +216,7 @@ fn eliminated_card(app: App, cluster: &EliminatedCluster) -> impl IntoView + use
     view! {
         <li class="sub-goal eliminated">
             <p>{cluster.reason.clone()}</p>
-            <button type="button" on:click=restore title="Take it for a sub-goal all the same">"Restore"</button>
+            <button type="button" class="button" on:click=restore title="Take it for a sub-goal all the same">"Restore"</button>
             <dl class="facts">
                 {fact("Center", coordinates(&cluster.center))}
                 {fact("Radius", significant(cluster.radius))}
