@@ -16,7 +16,7 @@ pub struct Dwell {
 pub struct Scales {
     /// Standard deviation of the sensor noise in one feature.
     pub noise: f64,
-    /// How far the thing typically gets from where it was first observed.
+    /// How far the thing typically gets from where it was first observed, when it is moved at all.
     pub travel: f64,
     /// Within this distance of a dwell's center a thing counts as still.
     pub stillness: f64,
@@ -35,6 +35,9 @@ const QUIET_QUANTILE: f64 = 0.3;
 /// A thing is still within this share of its travel, however quiet the sensor is.
 const STILL_SHARE_OF_TRAVEL: f64 = 0.012;
 
+/// A track that gets less far than this share of the farthest is one in which the thing was left where it was.
+const MOVED: f64 = 0.1;
+
 /// The scales of a subset from all its tracks; zeros when nothing moves.
 ///
 /// The noise comes from second differences of neighboring frames, which vanish for smooth motion; of those the quietest
@@ -48,8 +51,7 @@ pub fn scales<'a>(tracks: impl Iterator<Item = &'a Track> + Clone) -> Scales {
     let squares = tracks.clone().flat_map(|track| squared_second_differences(&track.points)).collect();
     // A second difference x1 - (x0 + x2) / 2 has 1.5 times the variance of x.
     let variance = quantile(squares, QUIET_QUANTILE) / (1.5 * chi_squared_quantile_30(dimension));
-    let travels = tracks.filter(|track| !track.is_empty()).map(travel).collect();
-    let (noise, travel) = (variance.sqrt(), median(travels));
+    let (noise, travel) = (variance.sqrt(), typical_travel(tracks));
     let reach = noise * ((dimension as f64).sqrt() + 3.2);
     Scales { noise, travel, stillness: reach.max(STILL_SHARE_OF_TRAVEL * travel) }
 }
@@ -69,6 +71,14 @@ fn chi_squared_quantile_30(dimension: usize) -> f64 {
     let k = dimension.max(1) as f64;
     let root = 1.0 - 2.0 / (9.0 * k) - 0.5244 * (2.0 / (9.0 * k)).sqrt();
     k * root * root * root
+}
+
+/// The median of how far the thing gets in the tracks in which it is moved.
+fn typical_travel<'a>(tracks: impl Iterator<Item = &'a Track>) -> f64 {
+    let mut travels: Vec<f64> = tracks.filter(|track| !track.is_empty()).map(travel).collect();
+    let farthest = travels.iter().copied().fold(0.0, f64::max);
+    travels.retain(|&travel| travel >= MOVED * farthest);
+    median(travels)
 }
 
 /// How far all but the farthest twentieth of the frames get from the first.
@@ -279,6 +289,12 @@ mod tests {
         assert_eq!(scales(still.iter()), Scales { noise: 0.0, travel: 0.0, stillness: 0.0 });
         assert_eq!(min_dwell(&still, scales(still.iter())), SHORTEST_DWELL);
         assert_eq!(scales([].iter()), Scales { noise: 0.0, travel: 0.0, stillness: 0.0 });
+    }
+
+    #[test]
+    fn the_travel_of_a_thing_that_is_seldom_moved_is_that_of_its_moves() {
+        let tracks = [track(&[0.0; 20]), track(&[&[0.0; 10][..], &[1.0; 10]].concat()), track(&[0.1; 20])];
+        assert!((scales(tracks.iter()).travel - 1.0).abs() < 1e-12);
     }
 
     #[test]

@@ -7,7 +7,10 @@
 //! 2. What is known to rest shows how things are put down and taken up: where all arrivals come from one direction and all
 //!    departures go back into it (down to the table, up from it), a pause from which the thing goes on *down*, or to which
 //!    it came *up*, is a pause in the hand.
-//! 3. Where there is no such direction there is no hovering either, and every dwell is a rest.
+//!    Where one thing alone shows the direction, that must account for its other stays, too: its way may bend back by
+//!    chance.
+//! 3. Where there is no such direction there is no hovering either, and every dwell is a rest that is not brief beside
+//!    those that take most of the time, a step on the way, or a creep into the next.
 
 mod axis;
 mod first_look;

@@ -120,10 +120,10 @@ fn missed(generate: impl Fn(u64) -> Task, end: u64) -> Vec<u64> {
 
 #[test]
 fn random_tasks_are_recovered_but_for_the_known_misses() {
-    assert_eq!(missed(tasks::random_task, 300), [207, 225]);
+    assert_eq!(missed(tasks::random_task, 300), [225]);
 }
 
 #[test]
 fn tasks_of_another_hand_are_recovered_but_for_the_known_misses() {
-    assert_eq!(missed(tasks::held_out_task, 300), [5, 35, 228]);
+    assert_eq!(missed(tasks::held_out_task, 300), [] as [u64; 0]);
 }

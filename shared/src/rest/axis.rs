@@ -1,11 +1,13 @@
 //! The direction in which things are put down.
 
+mod account;
 mod way;
 
 use std::collections::BTreeMap;
 
 use super::{Kind, Stay, SubsetRecording, SubsetStays};
 use crate::points::{Track, distance, mean, median};
+use account::Account;
 use way::{Stop, Way, arrival, departure};
 
 /// The one direction in which a thing is put down, opposite to the one in which it is taken up.
@@ -23,8 +25,15 @@ const FEWEST_FEATURES: usize = 3;
 /// How closely arrivals and departures must agree: the length of the mean of those that agree at all.
 const AGREEMENT: f64 = 0.95;
 
-/// The share of arrivals and departures that must agree.
+/// The share of arrivals and departures that must agree; where the axis accounts for the other stays as well; and where it
+/// is upright, of the arrivals and of the departures each: any more may slide.
 const AGREEING: f64 = 0.6;
+const AGREEING_IF_ACCOUNTED: f64 = 0.85;
+const AGREEING_IF_UPRIGHT: f64 = 0.34;
+
+/// Cosine of the largest angle to one of the features at which an axis is upright, and how closely arrivals and departures
+/// must agree on it: most recordings have a feature that is height, and chance seldom points along one.
+const UPRIGHT: f64 = 0.995;
 
 /// Cosine of the largest angle between directions that agree.
 const SAME_DIRECTION: f64 = 0.75;
@@ -116,17 +125,28 @@ fn best_direction(
     members: &[usize],
 ) -> Option<(Vec<f64>, f64)> {
     let at_share = |share: f64| {
-        let directions: Vec<Vec<f64>> = members
+        let ways: Vec<Known> = members
             .iter()
             .flat_map(|&member| downs(&recordings[member], &subsets[member], reach(&subsets[member], share)))
             .collect();
-        let (agreement, down) = agreed_direction(&directions)?;
-        let lifts =
-            members.iter().flat_map(|&member| lifts_per_carry(&recordings[member], &subsets[member], &down));
+        let agreed = agreed_direction(&ways)?;
+        let account = Account::of(recordings, subsets, members, &agreed.down, share);
+        let lifts = members
+            .iter()
+            .flat_map(|&member| lifts_per_carry(&recordings[member], &subsets[member], &agreed.down));
         let lift = median(lifts.collect());
-        let is_clear = members.len() > 1 || (lift < 1.0 && places_shown(subsets, members) > 2);
+        let is_alone = members.len() == 1;
+        let is_clear = !is_alone || (lift < 1.0 && places_shown(subsets, members) > 2);
         let needed = if is_clear { AGREEMENT } else { AGREEMENT_ALONE };
-        (agreement > needed && LIFT_PER_CARRY.contains(&lift)).then_some((agreement, (down, share)))
+        let is_usual = agreed.closeness > needed && agreed.part >= AGREEING;
+        let is_accounted = agreed.closeness > AGREEMENT
+            && agreed.part > AGREEING_IF_ACCOUNTED
+            && account.explains_the_brief_stays();
+        let is_lifted = LIFT_PER_CARRY.contains(&lift);
+        let is_believed = is_accounted
+            || (is_lifted && agreed.is_upright(&ways))
+            || (is_lifted && is_usual && !(is_alone && account.contradicts_the_long_stays()));
+        is_believed.then_some((agreed.closeness, (agreed.down, share)))
     };
     REACHES.into_iter().filter_map(at_share).max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, best)| best)
 }
@@ -148,42 +168,68 @@ fn places_shown(subsets: &[SubsetStays], members: &[usize]) -> usize {
     members.iter().map(places_of).sum()
 }
 
-/// The directions in which a thing comes to where it is left alone, and those against which it leaves.
-fn downs(recording: &SubsetRecording, subset: &SubsetStays, reach: f64) -> Vec<Vec<f64>> {
+/// A way of a thing that is known to be put down or taken up.
+struct Known {
+    /// The direction in which it comes, or against which it leaves.
+    down: Vec<f64>,
+    is_arrival: bool,
+}
+
+/// The ways on which a thing comes to where it is left alone, and those on which it leaves that or its start.
+fn downs(recording: &SubsetRecording, subset: &SubsetStays, reach: f64) -> Vec<Known> {
     let mut downs = Vec::new();
     for (track, stays) in recording.tracks.iter().zip(&subset.demonstrations) {
         for (index, stay) in stays.iter().enumerate() {
             if stay.kind == Kind::LeftAlone {
-                downs.extend(arrival(track, stays, index, reach, Stop::Never).direction());
+                let down = arrival(track, stays, index, reach, Stop::Never).direction();
+                downs.extend(down.map(|down| Known { down, is_arrival: true }));
             }
             if matches!(stay.kind, Kind::LeftAlone | Kind::Start) {
-                downs.extend(
-                    departure(track, stays, index, reach, Stop::Never).direction().map(|up| negated(&up)),
-                );
+                let up = departure(track, stays, index, reach, Stop::Never).direction();
+                downs.extend(up.map(|up| Known { down: negated(&up), is_arrival: false }));
             }
         }
     }
     downs
 }
 
-/// The mean of the directions that agree, as a unit vector, and how well they do, from 0 to 1.
-fn agreed_direction(directions: &[Vec<f64>]) -> Option<(f64, Vec<f64>)> {
-    const CANDIDATES: usize = 64;
-    let agreeing =
-        |with: &[f64]| directions.iter().filter(|direction| dot(direction, with) > SAME_DIRECTION).count();
-    let candidates = directions.iter().step_by(directions.len().div_ceil(CANDIDATES).max(1));
-    let best = candidates.max_by_key(|candidate| agreeing(candidate))?;
-    let same: Vec<&[f64]> = directions
-        .iter()
-        .map(Vec::as_slice)
-        .filter(|direction| dot(direction, best) > SAME_DIRECTION)
-        .collect();
-    if (same.len() as f64) < AGREEING * directions.len() as f64 {
-        return None;
+/// A direction on which ways agree.
+struct Agreed {
+    /// The mean of those that agree, as a unit vector.
+    down: Vec<f64>,
+    /// The share of the ways that agree.
+    part: f64,
+    /// How closely those do, from 0 to 1.
+    closeness: f64,
+}
+
+impl Agreed {
+    /// Whether it is along a feature, very closely, for some of the arrivals and of the departures: each kind alone agrees
+    /// with itself wherever a thing starts or ends at one place.
+    fn is_upright(&self, ways: &[Known]) -> bool {
+        let is_along_feature = self.down.iter().any(|x| x.abs() > UPRIGHT);
+        let is_shown_by = |is_arrival: bool| {
+            let of_kind: Vec<&Known> = ways.iter().filter(|way| way.is_arrival == is_arrival).collect();
+            let alike = of_kind.iter().filter(|way| dot(&way.down, &self.down) > SAME_DIRECTION).count();
+            alike as f64 > AGREEING_IF_UPRIGHT * of_kind.len() as f64
+        };
+        is_along_feature && self.closeness > UPRIGHT && is_shown_by(true) && is_shown_by(false)
     }
-    let sum = mean(best.len(), same.into_iter());
-    let length = dot(&sum, &sum).sqrt();
-    (length > 0.0).then(|| (length, sum.iter().map(|x| x / length).collect()))
+}
+
+/// The direction on which most ways agree.
+fn agreed_direction(ways: &[Known]) -> Option<Agreed> {
+    const CANDIDATES: usize = 64;
+    let alike = |a: &Known, b: &Known| dot(&a.down, &b.down) > SAME_DIRECTION;
+    let candidates = ways.iter().step_by(ways.len().div_ceil(CANDIDATES).max(1));
+    let best = candidates.max_by_key(|candidate| ways.iter().filter(|way| alike(way, candidate)).count())?;
+    let same: Vec<&[f64]> =
+        ways.iter().filter(|way| alike(way, best)).map(|way| way.down.as_slice()).collect();
+    let part = same.len() as f64 / ways.len() as f64;
+    let sum = mean(best.down.len(), same.into_iter());
+    let closeness = dot(&sum, &sum).sqrt();
+    let down = sum.iter().map(|x| x / closeness).collect();
+    (closeness > 0.0).then_some(Agreed { down, part, closeness })
 }
 
 /// For each way between two places where the thing is known to be left: how high it is lifted, by how far it is carried
@@ -257,10 +303,23 @@ mod tests {
 
     #[test]
     fn directions_agree_when_most_are_alike() {
-        let up = [vec![0.0, 1.0], vec![0.0, 1.0], vec![1.0, 0.0]];
-        let (agreement, direction) = agreed_direction(&up).unwrap();
-        assert!(agreement > 0.99 && direction == [0.0, 1.0]);
-        assert_eq!(agreed_direction(&up[1..]), None);
-        assert_eq!(agreed_direction(&[]), None);
+        let agreed = agreed_direction(&ways(&[[0.0, 1.0], [0.0, 1.0], [1.0, 0.0]])).unwrap();
+        assert!(agreed.closeness > 0.99 && agreed.part > 0.6 && agreed.down == [0.0, 1.0]);
+        assert!(agreed_direction(&[]).is_none());
+    }
+
+    #[test]
+    fn an_axis_is_upright_when_some_arrivals_and_some_departures_are_along_a_feature() {
+        let is_upright = |ways: &[Known]| agreed_direction(ways).unwrap().is_upright(ways);
+        assert!(is_upright(&ways(&[[0.0, 1.0], [0.0, 1.0], [1.0, 0.0], [-1.0, 0.0]])));
+        assert!(!is_upright(&ways(&[[0.6, 0.8], [0.6, 0.8]])));
+        assert!(!is_upright(&ways(&[[0.0, 1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]])));
+    }
+
+    /// Arrivals and departures in turn.
+    fn ways(downs: &[[f64; 2]]) -> Vec<Known> {
+        let known =
+            |(index, down): (usize, &[f64; 2])| Known { down: down.to_vec(), is_arrival: index % 2 == 0 };
+        downs.iter().enumerate().map(known).collect()
     }
 }

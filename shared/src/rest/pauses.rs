@@ -2,13 +2,18 @@
 
 use super::axis::{Axis, Verdict};
 use super::{Kind, Stay, SubsetRecording, SubsetStays, frames_possible};
-use crate::points::{Track, distance, median, quantile};
+use crate::points::{Track, distance, median};
 
 /// A dwell that is shorter than this share of a typical one is a pause, unless the thing was left alone.
 const BRIEF: f64 = 0.3;
 
-/// Of the unclear stays this quantile is long: most of the others may be pauses.
-const LONG_QUANTILE: f64 = 0.75;
+/// A stay that runs into a longer one no further away than this many times what counts as still, is a creep before or
+/// after that, if it is shorter than this share of a long one.
+const CREEP_REACH: f64 = 3.0;
+const CREEP: f64 = 0.6;
+
+/// How many frames lie between two stays that run into each other at most.
+const CREEP_GAP: usize = 3;
 
 /// A dwell that is shorter than the first share of a long one, or the second share of the shortest time for which things
 /// are left alone, and no further from a longer neighbor than this share of the travel, is a step on the way to that.
@@ -22,14 +27,16 @@ pub(super) fn tell_pauses(recording: &SubsetRecording, stays: &mut SubsetStays) 
         tell_held(recording, stays, &axis);
     }
     let unclear = stays.lengths(recording, |stay| stay.kind == Kind::Rest);
-    let long = quantile(unclear, LONG_QUANTILE);
+    let long = typical_of_most_time(unclear);
     let brief = BRIEF * long;
     let step = (STEP * long).max(STEP_LEFT_ALONE * stays.shortest_left);
     let step_reach = STEP_REACH * stays.scales.travel;
+    let creep_reach = CREEP_REACH * stays.scales.stillness;
     for (track, stays) in recording.tracks.iter().zip(&mut stays.demonstrations) {
         let is_pause = |index: usize| {
             frames_possible(track, &stays[index].dwell) < brief
                 || is_step(track, stays, index, step, step_reach)
+                || is_creep(track, stays, index, CREEP * long, creep_reach)
         };
         let pauses: Vec<bool> = (0..stays.len()).map(is_pause).collect();
         for (stay, is_pause) in stays.iter_mut().zip(pauses) {
@@ -38,6 +45,35 @@ pub(super) fn tell_pauses(recording: &SubsetRecording, stays: &mut SubsetStays) 
             }
         }
     }
+}
+
+/// The length of stay for which half of all time is spent in stays as long or longer: there may be many more pauses than
+/// rests, but they do not take more time.
+fn typical_of_most_time(mut lengths: Vec<f64>) -> f64 {
+    lengths.sort_by(f64::total_cmp);
+    let half = lengths.iter().sum::<f64>() / 2.0;
+    let mut passed = 0.0;
+    let is_half_passed = |length: &f64| {
+        passed += length;
+        passed >= half
+    };
+    lengths.iter().copied().find(is_half_passed).unwrap_or(0.0)
+}
+
+/// Whether a stay runs into a longer one right beside it: the thing creeps to its place, or from it.
+fn is_creep(track: &Track, stays: &[Stay], index: usize, creep: f64, reach: f64) -> bool {
+    let frames = frames_possible(track, &stays[index].dwell);
+    let runs_on = |pair: &[Stay]| {
+        let [earlier, later] = [&pair[0].dwell, &pair[1].dwell];
+        let gap = track.frames[later.span.start] - track.frames[earlier.span.end - 1];
+        gap <= CREEP_GAP && distance(&earlier.center, &later.center) <= reach
+    };
+    let is_longer = |stay: &Stay| stay.dwell.span.len() as f64 > frames;
+    let from_before =
+        index.checked_sub(1).is_some_and(|at| is_longer(&stays[at]) && runs_on(&stays[at..=index]));
+    let on_after =
+        stays.get(index + 1).is_some_and(|after| is_longer(after) && runs_on(&stays[index..=index + 1]));
+    frames < creep && (from_before || on_after)
 }
 
 /// Whether a stay is a short stop near a longer one.
@@ -109,6 +145,7 @@ impl PutDown {
 mod tests {
     use super::super::tests::{kinds, recording};
     use super::super::{Kind, stays};
+    use super::typical_of_most_time;
 
     #[test]
     fn a_dwell_that_is_brief_beside_the_others_is_a_pause() {
@@ -116,6 +153,20 @@ mod tests {
             &[(0.0, 20), (0.4, 1), (0.8, 4), (1.4, 1), (2.0, 30), (2.5, 1), (3.0, 30), (3.5, 1), (4.0, 30)];
         let expected = [Kind::Start, Kind::Pause, Kind::Rest, Kind::Rest, Kind::LeftAlone];
         assert_eq!(kinds(&stays(&[recording("red", &[track])])[0]), [expected]);
+    }
+
+    #[test]
+    fn a_stay_that_runs_into_a_longer_one_is_a_creep() {
+        let track: &[(f64, usize)] =
+            &[(0.0, 20), (0.9, 1), (1.85, 15), (2.0, 31), (3.0, 1), (4.0, 30), (5.0, 1), (6.0, 30)];
+        let expected = [Kind::Start, Kind::Pause, Kind::Rest, Kind::Rest, Kind::LeftAlone];
+        assert_eq!(kinds(&stays(&[recording("red", &[track])])[0]), [expected]);
+    }
+
+    #[test]
+    fn many_pauses_do_not_make_rests_look_brief() {
+        assert!((typical_of_most_time(vec![3.0, 3.0, 60.0, 3.0, 3.0, 3.0, 3.0, 3.0]) - 60.0).abs() < 1e-12);
+        assert!(typical_of_most_time(Vec::new()).abs() < 1e-12);
     }
 
     #[test]

@@ -27,8 +27,13 @@ pub(super) fn reason_against(
     if starts > 0 {
         return Some(format!("{starts} of {total} demonstrations start here"));
     }
-    let needed = support_needed(cluster, stays?);
+    let stays = stays?;
+    let needed = support_needed(cluster, stays);
     let support = cluster.demonstrations;
+    let held = held_only(cluster, stays);
+    if held > support {
+        return Some(format!("{held} of {total} demonstrations hold it here on the way"));
+    }
     (support < needed).then(|| format!("only {support} of {total} demonstrations rest here"))
 }
 
@@ -39,6 +44,19 @@ fn starts_inside(track: &Track, cluster: &Cluster) -> bool {
 fn rests_from_start(stays: &[Stay], cluster: &Cluster) -> bool {
     let first = stays.first();
     first.is_some_and(|stay| stay.kind == Kind::Start && cluster.ball.contains(&stay.dwell.center))
+}
+
+/// How many demonstrations hold the thing at a place and never put it down there; none if it is left alone there in one.
+fn held_only(cluster: &Cluster, stays: &SubsetStays) -> usize {
+    let here = |stay: &&Stay| cluster.ball.contains(&stay.dwell.center);
+    let kinds = |stays: &[Stay]| stays.iter().filter(here).map(|stay| stay.kind).collect::<Vec<_>>();
+    let all: Vec<Vec<Kind>> = stays.demonstrations.iter().map(|stays| kinds(stays)).collect();
+    if all.iter().flatten().any(|&kind| kind == Kind::LeftAlone) {
+        return 0;
+    }
+    all.iter()
+        .filter(|kinds| kinds.contains(&Kind::Pause) && !kinds.iter().any(|kind| kind.is_rest()))
+        .count()
 }
 
 /// How many demonstrations must rest at a place.
@@ -175,6 +193,17 @@ mod tests {
             (1.0, "3 of 3 demonstrations hold it here on the way"),
         ];
         assert_eq!(reasons(&search), expected);
+    }
+
+    #[test]
+    fn a_place_where_more_demonstrations_pause_than_rest_is_eliminated() {
+        let pause: &[(f64, usize)] =
+            &[(0.0, 30), (0.5, 1), (1.0, 5), (1.5, 1), (2.0, 30), (2.5, 1), (3.0, 30)];
+        let rest: &[(f64, usize)] =
+            &[(0.0, 30), (0.5, 1), (1.0, 30), (1.5, 1), (2.0, 30), (2.5, 1), (3.0, 30)];
+        let search = at_rest(&[pause, pause, pause, rest, rest]);
+        assert_eq!(centers(&search), [2.0, 3.0]);
+        assert_eq!(reasons(&search)[0], (1.0, "3 of 5 demonstrations hold it here on the way"));
     }
 
     #[test]
