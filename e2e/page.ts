@@ -1,3 +1,4 @@
+import { readFile } from "node:fs/promises";
 import { expect, type Page } from "@playwright/test";
 import type { Recording } from "./recordings";
 
@@ -17,4 +18,26 @@ export async function drop(page: Page, files: Recording[]): Promise<void> {
   await page.dispatchEvent("body", "dragenter", { dataTransfer: transfer });
   await page.dispatchEvent("body", "dragover", { dataTransfer: transfer });
   await page.dispatchEvent("body", "drop", { dataTransfer: transfer });
+}
+
+/** The specification as the export button gives it. */
+export async function exported(page: Page): Promise<string> {
+  const [saved] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("button", { name: "Export JSON" }).click(),
+  ]);
+  return readFile(await saved.path(), "utf8");
+}
+
+/** Forgets the work of earlier visits, from a page of the same server that is not the app. */
+export async function forgetWork(page: Page): Promise<void> {
+  await page.goto("/samples/index.json");
+  await page.evaluate(
+    () =>
+      new Promise<void>((resolve, reject) => {
+        const deleting = indexedDB.deleteDatabase("goalgraph");
+        deleting.onsuccess = () => resolve();
+        deleting.onerror = () => reject(deleting.error);
+      }),
+  );
 }

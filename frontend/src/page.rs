@@ -1,5 +1,7 @@
 //! The page: what a person sees and does.
 
+mod autosave;
+mod benchmark;
 mod colors;
 mod commands;
 mod derived;

@@ -5,6 +5,8 @@
 
 use goalgraph::demonstration::Feature;
 use goalgraph::infer::{InferRequest, Progress};
+use goalgraph::layout::Layout;
+use goalgraph::pdfa::Word;
 use serde::{Deserialize, Serialize};
 
 /// Identity of a file in the page, never reused.
@@ -82,8 +84,15 @@ pub enum FromWorker {
         /// Its values.
         track: Track,
     },
+    /// The file holds no recording but a specification.
+    Opened {
+        /// The file.
+        file: FileId,
+        /// The specification's text as Goalgraph writes it, or why it cannot be opened.
+        result: Result<String, String>,
+    },
     /// Where everything is, in each direction of drawing.
-    LaidOut(Result<Vec<Placement>, String>),
+    LaidOut(Result<Vec<Layout>, String>),
     /// The SVG file.
     Svg(Result<String, String>),
 }
@@ -109,16 +118,27 @@ pub struct DemonstrationEntry {
 }
 
 /// The result of an inference.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
     /// The specification's text, byte for byte what the command line writes.
     pub specification: String,
+    /// For each demonstration its word and the frames in which its symbols were completed.
+    pub completed: Vec<Completed>,
     /// Clusters that are no sub-goals.
     pub eliminated: Vec<EliminatedCluster>,
     /// Sentences for the expert.
     pub notes: Vec<String>,
     /// Observed partial states per subset, thinned for drawing.
     pub clouds: Vec<Cloud>,
+}
+
+/// When a demonstration completed its sub-goals.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Completed {
+    /// Its word, as it was read.
+    pub word: Word,
+    /// The frames, one per symbol.
+    pub frames: Vec<usize>,
 }
 
 /// A cluster that is no sub-goal.
@@ -167,62 +187,6 @@ impl Track {
     pub fn column(&self, feature: usize) -> impl Iterator<Item = Option<f32>> + '_ {
         self.values.iter().copied().skip(feature).step_by(self.features.max(1))
     }
-}
-
-/// Where the states and transitions of an automaton are drawn, in pixels at scale 1.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Placement {
-    /// Width of the drawing.
-    pub width: f64,
-    /// Height of the drawing.
-    pub height: f64,
-    /// The arrow from nowhere to the initial state.
-    pub start: Option<PlacedArrow>,
-    /// The states.
-    pub states: Vec<PlacedState>,
-    /// The transitions.
-    pub transitions: Vec<PlacedTransition>,
-}
-
-/// Where a state is.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct PlacedState {
-    /// The state, such as `q3`.
-    pub id: String,
-    /// Center.
-    pub x: f64,
-    /// Center.
-    pub y: f64,
-    /// Width of its box.
-    pub width: f64,
-    /// Height of its box.
-    pub height: f64,
-}
-
-/// A line with a head, both as the `d` of an SVG path.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct PlacedArrow {
-    /// The line.
-    pub shaft: String,
-    /// The head.
-    pub head: String,
-}
-
-/// Where a transition is.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct PlacedTransition {
-    /// The state it leaves.
-    pub source: String,
-    /// Its symbol, such as `g0`.
-    pub symbol: String,
-    /// The state it leads to.
-    pub target: String,
-    /// Its line.
-    pub arrow: PlacedArrow,
-    /// Center of its label.
-    pub label_x: f64,
-    /// Center of its label.
-    pub label_y: f64,
 }
 
 #[cfg(test)]

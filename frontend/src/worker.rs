@@ -1,6 +1,6 @@
 //! The worker: reads files, infers specifications and places automata while the page stays free.
 
-mod place;
+mod opening;
 mod recordings;
 mod thin;
 

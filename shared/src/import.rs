@@ -6,6 +6,7 @@
 
 mod cell;
 mod column;
+pub mod dot;
 mod json;
 mod recording;
 mod table;

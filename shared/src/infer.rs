@@ -41,6 +41,9 @@ pub struct InferRequest {
 pub struct Inference {
     /// The learned specification.
     pub specification: Specification,
+    /// For each demonstration the frames in which the symbols of its word were completed, in their order; none where
+    /// only words were given.
+    pub completed: Vec<Vec<usize>>,
     /// Clusters that are no sub-goals, with the reason.
     pub eliminated: Vec<Eliminated>,
     /// Clear sentences on what an expert should know: nothing found in a subset, a subset never observed.
@@ -140,7 +143,9 @@ pub fn infer(
         eliminated.extend(search.eliminated);
         parameters.push(search.parameters);
     }
-    let words: Vec<Word> = (0..demonstrations.len()).map(|index| alphabet.word(index)).collect();
+    let completions = (0..demonstrations.len()).map(|index| alphabet.completions(index));
+    let (words, completed): (Vec<Word>, Vec<Vec<usize>>) =
+        completions.map(|completions| completions.into_iter().unzip()).unzip();
     let specification = Specification {
         name: request.name.clone(),
         semantics: request.semantics,
@@ -151,7 +156,7 @@ pub fn infer(
         demonstrations: demonstrations.iter().zip(words).map(demonstrated).collect(),
     };
     report("Done".to_owned(), total);
-    Ok(Inference { specification, eliminated, notes })
+    Ok(Inference { specification, completed, eliminated, notes })
 }
 
 fn demonstrated((demonstration, word): (&Demonstration, Word)) -> DemonstrationWord {

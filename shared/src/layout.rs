@@ -18,6 +18,7 @@
 //! on the way out.
 
 mod acyclic;
+mod adjust;
 mod coordinates;
 pub mod drawing;
 mod extents;
@@ -35,12 +36,15 @@ mod straighten;
 #[cfg(test)]
 mod tests;
 
+use serde::{Deserialize, Serialize};
+
 use crate::pdfa::{StateId, Symbol};
 
+pub use adjust::adjust;
 pub use geometry::{CubicBezier, Point, Rect};
 
 /// What is to be laid out. Equal requests give equal layouts.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LayoutRequest {
     /// The boxes. Of several with one id only the first is placed.
     pub nodes: Vec<NodeRequest>,
@@ -53,7 +57,7 @@ pub struct LayoutRequest {
 }
 
 /// A box, with its size in pixels of the drawing space. A size that is negative or not finite counts as zero.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NodeRequest {
     /// The state it stands for.
     pub id: StateId,
@@ -65,7 +69,7 @@ pub struct NodeRequest {
 
 /// An arrow, with the size of its label in pixels of the drawing space. A size that is negative or not finite counts as
 /// zero; a label without width or height is not kept clear of others.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EdgeRequest {
     /// Where it starts.
     pub source: StateId,
@@ -80,7 +84,8 @@ pub struct EdgeRequest {
 }
 
 /// Which way the edges point.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Direction {
     /// The initial state is on the left.
     #[default]
@@ -89,8 +94,9 @@ pub enum Direction {
     TopToBottom,
 }
 
-/// Where everything is. All of it lies between 0 and `width` and between 0 and `height`.
-#[derive(Clone, Debug, PartialEq, Default)]
+/// Where everything is. All of it lies between `left` and `left + width` and between `top` and `top + height`; [`layout`]
+/// leaves both at 0, [`adjust`] goes beyond where states were moved there.
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct Layout {
     /// The boxes, in the order of the request. No two of them overlap.
     pub nodes: Vec<NodeBox>,
@@ -98,6 +104,10 @@ pub struct Layout {
     pub edges: Vec<EdgePath>,
     /// The arrow from nowhere to the initial state.
     pub start: Option<StartArrow>,
+    /// Left side of the drawing.
+    pub left: f64,
+    /// Upper side of the drawing.
+    pub top: f64,
     /// Width of the drawing.
     pub width: f64,
     /// Height of the drawing.
@@ -105,7 +115,7 @@ pub struct Layout {
 }
 
 /// Where a box is.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NodeBox {
     /// The state it stands for.
     pub id: StateId,
@@ -120,7 +130,7 @@ pub struct NodeBox {
 }
 
 /// Where an arrow is.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EdgePath {
     /// Where it starts.
     pub source: StateId,
@@ -138,7 +148,7 @@ pub struct EdgePath {
 }
 
 /// The head of an arrow: [`ARROW_LENGTH`] long, its base where the shaft ends.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ArrowHead {
     /// The tip, on the border of the target's box.
     pub tip: Point,
@@ -147,7 +157,7 @@ pub struct ArrowHead {
 }
 
 /// The arrow from nowhere to the initial state: a straight line from `from` to the base of the head.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StartArrow {
     /// Where it begins.
     pub from: Point,

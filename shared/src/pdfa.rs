@@ -104,6 +104,8 @@ pub struct Transition {
 /// A set of completed sub-goals, with what may come next.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct State {
+    /// What an expert calls it.
+    pub name: Option<String>,
     /// The sub-goals that are completed here.
     pub completed: BTreeSet<Symbol>,
     /// Whether the task may end here.

@@ -10,10 +10,13 @@ use crate::demonstration::Feature;
 use crate::pdfa::{Pdfa, Semantics, Symbol, Word};
 use crate::points::distance;
 
-pub use check::{Problem, Severity};
+pub use check::{Place, Problem, ProblemKind, Severity};
 #[cfg(feature = "schema")]
 pub use file::json_schema;
 pub use file::{ReadError, SpecificationFile};
+
+/// How many colors an expert can choose from for a sub-goal: the page's palette.
+pub const COLORS: u8 = 8;
 
 /// A task: its features, sub-goals, the words of its demonstrations and the automaton over them.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,6 +66,8 @@ pub struct SubGoal {
     pub frames: usize,
     /// How many demonstrations reached it.
     pub demonstrations: usize,
+    /// The color that an expert has given it, below [`COLORS`]; none leaves the choice to whoever draws.
+    pub color: Option<u8>,
 }
 
 /// A ball in the space of a feature subset.

@@ -31,20 +31,28 @@ pub struct Reached {
 /// assert_eq!(read_word(&reached), [b, a]);
 /// ```
 pub fn read_word(reached: &[Reached]) -> Word {
+    completions(reached).into_iter().map(|(symbol, _)| symbol).collect()
+}
+
+/// The symbols of the [word](read_word), each with the frame in which it was completed.
+///
+/// # Complexity
+///
+/// That of [`read_word`].
+pub fn completions(reached: &[Reached]) -> Vec<(Symbol, usize)> {
     let mut frames: Vec<(usize, usize)> = Vec::new();
     for (position, sub_goal) in reached.iter().enumerate() {
         frames.extend(sub_goal.frames.iter().map(|&frame| (frame, position)));
     }
     frames.sort_unstable();
-    let mut word = Word::new();
+    let mut completed: Vec<(Symbol, usize)> = Vec::new();
     let mut in_word = vec![false; reached.len()];
-    let mut last_frame = None;
     for (frame, position) in frames {
-        if last_frame != Some(frame) && !in_word[position] {
+        let taken = completed.last().is_some_and(|&(_, last_frame)| last_frame == frame);
+        if !taken && !in_word[position] {
             in_word[position] = true;
-            word.push(reached[position].symbol);
-            last_frame = Some(frame);
+            completed.push((reached[position].symbol, frame));
         }
     }
-    word
+    completed
 }

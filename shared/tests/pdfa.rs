@@ -29,7 +29,7 @@ fn any_automaton() -> impl Strategy<Value = Pdfa> {
             (Symbol(symbol), Transition { target: StateId(target), count, weight: count as f64 })
         };
         let transitions = ways.into_iter().map(way).collect();
-        State { completed: Set::new(), accepting, end_count, end_weight: end_count as f64, transitions }
+        State { accepting, end_count, end_weight: end_count as f64, transitions, ..State::default() }
     });
     prop::collection::vec(state, 5).prop_map(|states| {
         let ids = (0..).map(StateId);

@@ -96,6 +96,22 @@ fn what_is_written_is_exact_and_in_a_fixed_order() {
 }
 
 #[test]
+fn names_of_states_and_colors_of_sub_goals_are_kept_and_left_out_where_there_are_none() {
+    let plain = example();
+    assert!(!plain.to_json().contains("\"color\""));
+    let colored = edited(r#""frames": 0, "#, r#""color": 7, "frames": 0, "#);
+    let named = colored.replacen(r#"{"id": "q3", "#, r#"{"id": "q3", "name": "yellow only", "#, 1);
+    let example = Specification::from_json(&named).unwrap();
+    assert_eq!([example.sub_goals[0].color, example.sub_goals[1].color], [None, Some(7)]);
+    assert_eq!(example.pdfa.states[&StateId(3)].name.as_deref(), Some("yellow only"));
+    assert_eq!(example.pdfa.states[&StateId(0)].name, None);
+    let text = example.to_json();
+    assert!(text.contains("\"id\": \"q3\",\n        \"name\": \"yellow only\",\n"), "{text}");
+    assert!(text.contains("\"demonstrations\": 3,\n      \"color\": 7\n"), "{text}");
+    assert_eq!(Specification::from_json(&text).unwrap(), example);
+}
+
+#[test]
 fn what_contradicts_itself_is_refused_with_its_place() {
     refused(r#"{"name": "red.y"}"#, r#"{"name": "red.x"}"#, "features[1]: red.x is there twice");
     refused(r#"{"name": "yellow", "#, r#"{"name": "red", "#, "subsets[1]: red is there twice");
@@ -126,6 +142,7 @@ fn what_contradicts_itself_is_refused_with_its_place() {
     refused("[0.2, -0.03]", "[0.2]", "sub_goal g0: center has 1 coordinates for 2 features");
     refused("0.011", "-1", "sub_goal g0: radius: -1 must be a finite number not below 0");
     refused(r#" "radius": 0.011,"#, "", "sub_goal g0: subset, features, center and radius go together");
+    refused(r#""frames": 0, "#, r#""frames": 0, "color": 8, "#, "sub_goal g1: color: 8 must be below 8");
     refused(r#""initial": "q0""#, r#""initial": "q9""#, "automaton.initial: there is no state q9");
     refused(r#"["g0"], "acc"#, r#"["g7"], "acc"#, "state q1: completed: there is no sub-goal g7");
     refused(r#"["g0"], "acc"#, r#"["g0", "g0"], "acc"#, "state q1: completed[1]: g0 is there twice");
@@ -157,7 +174,7 @@ fn what_is_not_of_this_shape_is_refused_with_line_and_column() {
         "line 6, column 53: unknown field `nam`, expected `name` or `unit`",
     );
     let unknown = "line 14, column 25: unknown field `colour`, expected one of `id`, `name`, `subset`, `features`, \
-        `center`, `radius`, `frames`, `demonstrations`";
+        `center`, `radius`, `frames`, `demonstrations`, `color`";
     refused(r#""name": "yellow 1", "#, r#""colour": "yellow 1", "#, unknown);
     refused(
         r#""name": "Two blocks""#,
@@ -229,7 +246,7 @@ fn files_with_windows_line_ends_are_read() {
 fn problems(specification: &Specification) -> Vec<String> {
     let line = |problem: Problem| {
         let severity = if problem.severity == Severity::Error { "error" } else { "warning" };
-        format!("{severity} {}: {}", problem.place, problem.message)
+        format!("{severity} {}: {}", problem.place(), problem.message)
     };
     specification.check().into_iter().map(line).collect()
 }
@@ -273,11 +290,11 @@ fn each_problem_is_said_once_with_its_place() {
     );
     found(
         |all| state(all, 3).transitions = [(Symbol(0), way(0, 1.0))].into(),
-        &["warning q0: a cycle: the automaton accepts words of any length"],
+        &["warning q0: a cycle through q0, q3: the automaton accepts words of any length"],
     );
     found(
         |all| state(all, 3).transitions = [(Symbol(1), way(3, 1.0))].into(),
-        &["warning q0: a cycle: the automaton accepts words of any length"],
+        &["warning q3: a cycle through q3: the automaton accepts words of any length"],
     );
     found(
         |all| {
@@ -314,13 +331,23 @@ fn a_specification_of_nothing_is_valid_but_leads_nowhere() {
     empty.sub_goals.clear();
     empty.demonstrations.clear();
     assert_eq!(Specification::from_json(&empty.to_json()).unwrap(), empty);
-    assert_eq!(problems(&empty), ["error q0: q0 is a dead end: no accepting state can be reached from it"]);
+    let expected = [
+        "error q0: no words: nothing is accepted, for no way leads from q0 to an end",
+        "error q0: q0 is a dead end: no accepting state can be reached from it",
+    ];
+    assert_eq!(problems(&empty), expected);
 }
 
 /// One word of `length` symbols, one state after the other.
 fn chain(length: u32) -> Specification {
-    let sub_goal =
-        |id: u32| SubGoal { id: Symbol(id), name: String::new(), ball: None, frames: 0, demonstrations: 0 };
+    let sub_goal = |id: u32| SubGoal {
+        id: Symbol(id),
+        name: String::new(),
+        ball: None,
+        frames: 0,
+        demonstrations: 0,
+        color: None,
+    };
     let state = |id: u32| {
         let last = id == length;
         let transitions =
@@ -379,14 +406,14 @@ fn states() -> impl Strategy<Value = BTreeMap<StateId, State>> {
     let ways =
         prop::collection::btree_map((0..4_u32).prop_map(Symbol), (0..6_u32, any::<u64>(), weight()), 0..4);
     let completed = prop::collection::btree_set((0..4_u32).prop_map(Symbol), 0..4);
-    let state = (completed, any::<bool>(), any::<u64>(), weight(), ways);
-    let state = state.prop_map(|(completed, accepting, end_count, end_weight, ways)| {
+    let state = (prop::option::of(name()), completed, any::<bool>(), any::<u64>(), weight(), ways);
+    let state = state.prop_map(|(name, completed, accepting, end_count, end_weight, ways)| {
         // Targets are positions in the list of states until their ids are known.
         let way = |(symbol, (target, count, weight))| {
             (symbol, Transition { target: StateId(target), count, weight })
         };
         let transitions = ways.into_iter().map(way).collect();
-        State { completed, accepting, end_count, end_weight, transitions }
+        State { name, completed, accepting, end_count, end_weight, transitions }
     });
     prop::collection::btree_map(any::<u32>().prop_map(StateId), state, 1..6).prop_map(|mut states| {
         let ids: Vec<StateId> = states.keys().copied().collect();
@@ -419,6 +446,7 @@ fn any_specification() -> impl Strategy<Value = Specification> {
                 ball: place.and_then(ball),
                 frames: id * 7,
                 demonstrations: id,
+                color: (id % 2 == 1).then_some(id as u8),
             };
             let sub_goals = balls.into_iter().enumerate().map(sub_goal).collect();
             let demonstration = |(name, sha256, frames, word): (String, String, usize, Word)| {

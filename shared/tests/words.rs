@@ -81,7 +81,14 @@ fn specification(places: &[Place]) -> Specification {
         let center = center[..subset.features.len()].to_vec();
         let ball = Ball { subset: subset.name.clone(), features: subset.features.clone(), center, radius };
         let name = format!("place {index}");
-        SubGoal { id: Symbol(index as u32), name, ball: Some(ball), frames: 0, demonstrations: 0 }
+        SubGoal {
+            id: Symbol(index as u32),
+            name,
+            ball: Some(ball),
+            frames: 0,
+            demonstrations: 0,
+            color: None,
+        }
     };
     Specification {
         name: String::new(),

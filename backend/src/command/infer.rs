@@ -101,7 +101,8 @@ fn from_words(arguments: &Arguments, path: &std::path::Path) -> Result<Inference
         notes.push(format!("{} marked as rejected and left out", output::count(words.rejected, "word")));
     }
     let specification = infer_words(&arguments.name, Semantics::from(arguments.semantics), &words.words);
-    Ok(Inference { specification, eliminated: Vec::new(), notes })
+    let completed = vec![Vec::new(); specification.demonstrations.len()];
+    Ok(Inference { specification, completed, eliminated: Vec::new(), notes })
 }
 
 fn from_recordings(arguments: &Arguments) -> Result<Inference, Failure> {

@@ -31,7 +31,7 @@ fn an_error_is_listed_and_decides_the_exit_status() {
     assert!(
         ended.stdout.contains("error: q0: q0 is a dead end: no accepting state can be reached from it\n")
     );
-    assert_eq!(ended.stderr, "broken.json: 9 errors found\n");
+    assert_eq!(ended.stderr, "broken.json: 10 errors found\n");
     let json: serde_json::Value =
         serde_json::from_str(&bench.run(&["check", "broken.json", "--json"]).stdout).unwrap();
     assert_eq!(json["problems"][0]["severity"], "error");

@@ -45,7 +45,7 @@ impl Color {
     }
 }
 
-/// The color of every sub-goal. A subset named after a color has that one, the other subsets take turns; the sub-goals of
+/// The color of every sub-goal: the one that an expert chose, or else an automatic one. A subset named after a color has that one, the other subsets take turns; the sub-goals of
 /// one subset are shades of its color. Where there is one subset only, its sub-goals take turns.
 pub(crate) fn colors(specification: &Specification) -> BTreeMap<Symbol, Color> {
     let groups: Vec<&str> = specification.sub_goals.iter().map(group).collect();
@@ -60,7 +60,9 @@ pub(crate) fn colors(specification: &Specification) -> BTreeMap<Symbol, Color> {
     let mut colors = BTreeMap::new();
     for (sub_goal, name) in specification.sub_goals.iter().zip(names) {
         let shade = shades.entry(name).or_default();
-        colors.insert(sub_goal.id, Color { hue: hues.get(name).copied().unwrap_or(0), shade: *shade });
+        let automatic = Color { hue: hues.get(name).copied().unwrap_or(0), shade: *shade };
+        let chosen = sub_goal.color.map(|color| Color { hue: usize::from(color), shade: 0 });
+        colors.insert(sub_goal.id, chosen.unwrap_or(automatic));
         *shade += 1;
     }
     colors
@@ -121,6 +123,20 @@ mod tests {
     #[test]
     fn a_subset_named_after_a_color_has_it() {
         assert_eq!(colored(&[("yellow", "yellow 1"), ("red", "red 1")]), ["c3 v0", "c0 v0"]);
+    }
+
+    #[test]
+    fn there_are_as_many_colors_as_can_be_chosen() {
+        assert_eq!(COLORS, usize::from(goalgraph::edit::COLORS));
+    }
+
+    #[test]
+    fn a_color_that_was_chosen_comes_first() {
+        let mut specification =
+            infer_words("", Semantics::default(), &[vec!["a".to_owned(), "b".to_owned()]]);
+        specification.sub_goals[0].color = Some(6);
+        let classes: Vec<String> = colors(&specification).values().map(|color| color.class()).collect();
+        assert_eq!(classes, ["c6 v0", "c1 v0"]);
     }
 
     #[test]

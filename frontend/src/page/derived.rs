@@ -1,19 +1,38 @@
-//! What follows from the ground state, computed once per change.
+//! What follows from the ground state, computed once per change, and only when somebody looks at it.
+
+mod hits;
+mod marks;
+mod picture;
+mod residue;
+mod variants;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
+use goalgraph::distance::{Distance, distance};
+use goalgraph::edit::EditError;
+use goalgraph::history::History;
 use goalgraph::infer::InferRequest;
-use goalgraph::pdfa::{Probabilities, Symbol, Word};
+use goalgraph::language::WordDistribution;
+use goalgraph::layout::LayoutRequest;
+use goalgraph::layout::drawing::layout_request;
+use goalgraph::merge_candidates::{MergeCandidate, MergeTest, merge_candidates};
+use goalgraph::pdfa::{Probabilities, Semantics, StateId, Symbol};
 use goalgraph::plan::{NoPlan, Plan, PlanRequest, Strategy, plan};
-use goalgraph::specification::Specification;
+use goalgraph::preview::{Preview, preview};
+use goalgraph::specification::{Problem, Specification};
 use goalgraph::subset::{SubsetRequest, propose_subsets};
 use leptos::prelude::*;
 
 use super::colors::{self, Color};
-use super::model::{Basis, Model, Tab};
+use super::model::{Basis, Model, Selection, Tab};
 use super::verdict::{Verdict, verdicts};
-use crate::protocol::{FileContent, FileId, Placement};
+use crate::protocol::{FileContent, FileId};
+
+pub(crate) use marks::Marks;
+pub(crate) use picture::Picture;
+pub(crate) use residue::Residue;
+pub(crate) use variants::{Fit, Variant, ways};
 
 /// All memos.
 pub(crate) struct Derived {
@@ -29,33 +48,48 @@ pub(crate) struct Derived {
     pub(crate) basis: Memo<Option<Basis>>,
     /// Whether what is shown was learned from something else than what is there now.
     pub(crate) outdated: Memo<bool>,
-    /// What was learned, under the present name and reading of weights.
+    /// The specification as it is now, with all edits.
     pub(crate) specification: Memo<Option<Arc<Specification>>>,
-    /// What of it is drawn: everything but the name.
-    pub(crate) drawn: Memo<Option<Specification>>,
+    /// What the task is called.
+    pub(crate) task_name: Memo<String>,
+    /// How weights are read.
+    pub(crate) semantics: Memo<Semantics>,
     /// Its probabilities.
     pub(crate) probabilities: Memo<Option<Arc<Probabilities>>>,
     /// The color of every sub-goal.
     pub(crate) colors: Memo<Arc<BTreeMap<Symbol, Color>>>,
-    /// Where the automaton is drawn: in the direction that fills the frame better.
-    pub(crate) placement: Memo<Option<Arc<Placement>>>,
+    /// Where it is drawn.
+    pub(crate) picture: Memo<Option<Arc<Picture>>>,
+    /// Whether most states have no place yet, so that the worker must place them.
+    pub(crate) untidy: Memo<bool>,
+    /// What the edit that is thought of would do, or why it cannot be done.
+    pub(crate) preview: Memo<Option<Result<Arc<Preview>, EditError>>>,
+    /// What it would change in the drawing.
+    pub(crate) marks: Memo<Arc<Marks>>,
+    /// What is hidden from view.
+    pub(crate) residue: Memo<Arc<Residue>>,
+    /// What the search finds.
+    pub(crate) hits: Memo<Vec<Selection>>,
     /// The order that a robot prefers when everything is available.
     pub(crate) preferred: Memo<Option<Plan>>,
     /// The plan that the drawing emphasizes: the present one while the Run tab is on display, else the preferred one.
     pub(crate) followed: Memo<Option<Plan>>,
-    /// The plan with what is available.
+    /// The plan with what is available, from where a walk is.
     pub(crate) plan: Memo<Option<Result<Plan, NoPlan>>>,
+    /// Where the walk through the automaton is.
+    pub(crate) present: Memo<Option<StateId>>,
     /// The distinct words, most frequent first, each with the demonstrations that show it.
     pub(crate) variants: Memo<Vec<Variant>>,
-}
-
-/// A distinct word.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Variant {
-    /// The word.
-    pub(crate) word: Word,
-    /// The names of its demonstrations.
-    pub(crate) demonstrations: Vec<String>,
+    /// How the demonstrations fare together.
+    pub(crate) fit: Memo<Fit>,
+    /// How far the words are from those that were learned.
+    pub(crate) distance: Memo<Option<Distance>>,
+    /// What is wrong.
+    pub(crate) problems: Memo<Vec<Problem>>,
+    /// Transitions on the ways of the words that are lit up.
+    pub(crate) lit: Memo<BTreeSet<(StateId, Symbol)>>,
+    /// States that may be one, best first.
+    pub(crate) candidates: Memo<Vec<MergeCandidate>>,
 }
 
 impl Derived {
@@ -65,18 +99,32 @@ impl Derived {
         let accepted = Memo::new(move |_| accepted(model, &verdicts.get()));
         let subsets = Memo::new(move |_| subsets(model, &accepted.get()));
         let basis = Memo::new(move |_| basis(model, &accepted.get()));
-        let specification = Memo::new(move |_| specification(model));
+        let specification =
+            Memo::new(move |_| model.history.with(|history| history.as_ref().map(History::shared)));
+        let learned =
+            Memo::new(move |_| model.history.with(|history| history.as_ref().map(History::learned)));
         let probabilities = Memo::new(move |_| {
             let specification = specification.get()?;
             Some(Arc::new(specification.pdfa.probabilities(specification.semantics)))
         });
-        let planned = move |unavailable: BTreeSet<Symbol>, strategy: Strategy| {
+        let present = Memo::new(move |_| present(model, &*specification.get()?));
+        let planned = move |from: Option<StateId>, unavailable: BTreeSet<Symbol>, strategy: Strategy| {
             let (specification, probabilities) = (specification.get()?, probabilities.get()?);
-            let request = PlanRequest { from: specification.pdfa.initial, unavailable, strategy };
+            let request =
+                PlanRequest { from: from.unwrap_or(specification.pdfa.initial), unavailable, strategy };
             Some(plan(&specification.pdfa, &probabilities, &request))
         };
-        let preferred = Memo::new(move |_| planned(BTreeSet::new(), Strategy::Greedy)?.ok());
-        let present = Memo::new(move |_| planned(model.unavailable.get(), model.strategy.get()));
+        let preferred = Memo::new(move |_| planned(None, BTreeSet::new(), Strategy::Greedy)?.ok());
+        let plan_now =
+            Memo::new(move |_| planned(present.get(), model.unavailable.get(), model.strategy.get()));
+        let layout_request = Memo::new(move |_| Some(layout_request(&*specification.get()?)));
+        let (settled, picture) = pictures(model, layout_request);
+        let preview = Memo::new(move |_| previewed(model, &*specification.get()?));
+        let variants = Memo::new(move |_| {
+            let both = specification.get().zip(probabilities.get());
+            both.map(|(specification, chances)| variants::variants(&specification, &chances))
+                .unwrap_or_default()
+        });
         Self {
             verdicts,
             reading: Memo::new(move |_| {
@@ -87,31 +135,83 @@ impl Derived {
             basis,
             outdated: Memo::new(move |_| outdated(model, basis.get().as_ref())),
             specification,
-            drawn: Memo::new(move |_| {
-                let specification = specification.get()?;
-                Some(Specification { name: String::new(), ..(*specification).clone() })
+            task_name: Memo::new(move |_| {
+                specification.get().map_or_else(|| model.task_name.get(), |it| it.name.clone())
+            }),
+            semantics: Memo::new(move |_| {
+                specification.get().map_or_else(|| model.semantics.get(), |it| it.semantics)
             }),
             probabilities,
             colors: Memo::new(move |_| {
-                Arc::new(
-                    specification
-                        .get()
-                        .map(|specification| colors::colors(&specification))
-                        .unwrap_or_default(),
-                )
+                Arc::new(specification.get().map(|it| colors::colors(&it)).unwrap_or_default())
             }),
-            placement: Memo::new(move |_| model.placements.with(|them| best_fit(them, model.frame.get()))),
+            picture,
+            untidy: Memo::new(move |_| {
+                let Some(request) = layout_request.get() else { return false };
+                let unknown =
+                    settled.with(|it| it.as_ref().map_or(request.nodes.len(), |it| it.unknown(&request)));
+                2 * unknown > request.nodes.len()
+            }),
+            preview,
+            marks: Memo::new(move |_| {
+                Arc::new(marks(specification, probabilities, preview).unwrap_or_default())
+            }),
+            residue: Memo::new(move |_| {
+                let both = specification.get().zip(probabilities.get());
+                let below = model.hidden_below.get();
+                Arc::new(both.map(|(it, chances)| Residue::of(&it, &chances, below)).unwrap_or_default())
+            }),
+            hits: Memo::new(move |_| {
+                let text = model.search.with(|search| search.text.clone());
+                specification.get().zip(text).map(|(it, text)| hits::hits(&it, &text)).unwrap_or_default()
+            }),
             preferred,
             followed: Memo::new(move |_| match model.tab.get() {
-                Tab::Run => present.get().and_then(possible),
+                Tab::Run => plan_now.get().and_then(possible),
                 _ => preferred.get(),
             }),
-            plan: present,
-            variants: Memo::new(move |_| {
-                specification.get().map(|specification| variants(&specification)).unwrap_or_default()
+            plan: plan_now,
+            present,
+            variants,
+            fit: Memo::new(move |_| variants.with(|variants| variants::fit(variants))),
+            distance: Memo::new(move |_| {
+                let (learned, now) = (learned.get()?, specification.get()?);
+                Some(distance(&WordDistribution::of(&learned.pdfa), &WordDistribution::of(&now.pdfa)))
             }),
+            problems: Memo::new(move |_| specification.get().map(|it| it.check()).unwrap_or_default()),
+            lit: Memo::new(move |_| {
+                let Some(specification) = specification.get() else { return BTreeSet::new() };
+                model.lit.with(|lit| lit.iter().flat_map(|word| ways(&specification.pdfa, word)).collect())
+            }),
+            candidates: Memo::new(move |_| candidates(model, specification.get())),
         }
     }
+}
+
+type PictureMemo = Memo<Option<Arc<Picture>>>;
+
+/// The picture without what is being dragged, and with it.
+fn pictures(model: &'static Model, request: Memo<Option<LayoutRequest>>) -> (PictureMemo, PictureMemo) {
+    let settled: PictureMemo = Memo::new(move |previous: Option<&Option<Arc<Picture>>>| {
+        let (layout, tidied) = (request.get()?, model.tidied.get());
+        let (held, frame) = (model.held.get(), model.frame.get());
+        let request = picture::PictureRequest { layout: &layout, tidied: &tidied, held: &held, frame };
+        let previous = previous.and_then(Option::as_ref);
+        let next = Picture::next(previous.map(|it| &**it), &request)?;
+        // What is the same stays the same object, so that nothing is drawn again.
+        Some(previous.filter(|it| ***it == next).cloned().unwrap_or_else(|| Arc::new(next)))
+    });
+    let shown = Memo::new(move |_| {
+        let settled = settled.get()?;
+        let moving = model.moving.get();
+        if moving.is_empty() {
+            return Some(settled);
+        }
+        let mut held = model.held.get();
+        held.extend(moving);
+        Some(Arc::new(settled.with_moving(&request.get()?, &held)))
+    });
+    (settled, shown)
 }
 
 fn accepted(model: &Model, verdicts: &[(FileId, Verdict)]) -> Vec<(FileId, Arc<FileContent>)> {
@@ -145,15 +245,34 @@ fn basis(model: &Model, accepted: &[(FileId, Arc<FileContent>)]) -> Option<Basis
 }
 
 fn outdated(model: &Model, basis: Option<&Basis>) -> bool {
-    model.learned.with(|learned| learned.as_ref().is_some_and(|learned| Some(&learned.basis) != basis))
+    basis.is_some()
+        && model.learned.with(|learned| learned.as_ref().is_some_and(|learned| Some(&learned.basis) != basis))
 }
 
-fn specification(model: &Model) -> Option<Arc<Specification>> {
-    let learned = model.learned.with(|learned| Some(Arc::clone(&learned.as_ref()?.outcome)))?;
-    let mut specification = Specification::from_json(&learned.specification).ok()?;
-    specification.name = model.task_name.get();
-    specification.semantics = model.semantics.get();
-    Some(Arc::new(specification))
+fn previewed(model: &Model, before: &Specification) -> Option<Result<Arc<Preview>, EditError>> {
+    let edits = model.draft.with(|draft| Some(draft.as_ref()?.edits.clone()))?;
+    Some(preview(before, &edits).map(Arc::new))
+}
+
+fn marks(
+    specification: Memo<Option<Arc<Specification>>>,
+    probabilities: Memo<Option<Arc<Probabilities>>>,
+    preview: Memo<Option<Result<Arc<Preview>, EditError>>>,
+) -> Option<Marks> {
+    let preview = preview.get()?.ok()?;
+    Some(Marks::of(&*specification.get()?, &*probabilities.get()?, &preview))
+}
+
+/// Where the walk is: it ends early when an edit took its way.
+fn present(model: &Model, specification: &Specification) -> Option<StateId> {
+    model.simulation.with(|walk| {
+        walk.on.then(|| {
+            let step = |state: StateId, &symbol: &Symbol| {
+                specification.pdfa.transition(state, symbol).map(|way| way.target)
+            };
+            walk.word.iter().try_fold(specification.pdfa.initial, step).unwrap_or(specification.pdfa.initial)
+        })
+    })
 }
 
 /// The plan, or what can be done meanwhile.
@@ -164,24 +283,15 @@ fn possible(plan: Result<Plan, NoPlan>) -> Option<Plan> {
     }
 }
 
-/// The placement that is largest when all of it is shown in a frame of this width and height.
-fn best_fit(placements: &[Arc<Placement>], (width, height): (f64, f64)) -> Option<Arc<Placement>> {
-    let scale =
-        |placement: &Placement| (width / placement.width.max(1.0)).min(height / placement.height.max(1.0));
-    let larger = |best: Arc<Placement>, other: &Arc<Placement>| {
-        if scale(other) > scale(&best) { Arc::clone(other) } else { best }
-    };
-    let (first, others) = placements.split_first()?;
-    Some(others.iter().fold(Arc::clone(first), larger))
-}
+/// Confidence of the merge test, as in ALERGIA.
+const MERGE_ALPHA: f64 = 0.05;
+/// How many merges are proposed at most.
+const MERGES: usize = 50;
 
-fn variants(specification: &Specification) -> Vec<Variant> {
-    let mut by_word: BTreeMap<&Word, Vec<String>> = BTreeMap::new();
-    for demonstration in &specification.demonstrations {
-        by_word.entry(&demonstration.word).or_default().push(demonstration.name.clone());
-    }
-    let variant = |(word, demonstrations): (&Word, _)| Variant { word: word.clone(), demonstrations };
-    let mut variants: Vec<Variant> = by_word.into_iter().map(variant).collect();
-    variants.sort_by_key(|variant| std::cmp::Reverse(variant.demonstrations.len()));
-    variants
+fn candidates(model: &Model, specification: Option<Arc<Specification>>) -> Vec<MergeCandidate> {
+    let Some(specification) = specification else { return Vec::new() };
+    let vetoed = model.vetoed.get();
+    let test = MergeTest { alpha: MERGE_ALPHA, limit: MERGES + vetoed.len() };
+    let found = merge_candidates(&specification, test).into_iter();
+    found.filter(|it| !vetoed.contains(&(it.kept, it.merged))).take(MERGES).collect()
 }

@@ -4,7 +4,7 @@ use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent};
 
-use super::commands::COMMANDS;
+use super::commands::commands;
 use super::update::App;
 
 /// Does the command that the pressed key stands for.
@@ -14,18 +14,27 @@ pub(crate) fn press(app: App, event: &KeyboardEvent) {
         return;
     }
     let command_key = event.ctrl_key() || event.meta_key();
-    if is_typing(event) && !command_key {
+    if is_typing(event) && (!command_key || EDITS_TEXT.contains(&event.key().to_lowercase().as_str())) {
         return;
     }
-    let code = event.code();
-    let key = name_of(&event.key(), &code, command_key, event.shift_key());
-    let command = COMMANDS.iter().find(|command| command.key == Some(key.as_str()));
-    let Some(command) = command else { return };
+    let key = name_of(&event.key(), &event.code(), command_key, event.shift_key());
+    // With Shift a letter is the same command, unless it has one of its own.
+    let without_shift = key.replace("Ctrl+Shift+", "Ctrl+");
+    let named = |key: &str| commands().find(|command| command.keys.contains(&key));
+    let Some(command) = named(&key).or_else(|| named(&without_shift)) else { return };
+    let enabled = untrack(|| (command.enabled)(app));
+    // A focused button answers to Enter by itself.
+    if key == "Enter" && (!enabled || is_button(event)) {
+        return;
+    }
     event.prevent_default();
-    if untrack(|| (command.enabled)(app)) {
+    if enabled {
         (command.run)(app);
     }
 }
+
+/// What these keys do with Ctrl in a text field is the field's business.
+const EDITS_TEXT: [&str; 7] = ["a", "z", "y", "delete", "backspace", "arrowleft", "arrowright"];
 
 /// How a key is written in the command table: `o`, `Shift+1`, `Ctrl+k`, `?`.
 pub(crate) fn name_of(key: &str, code: &str, command_key: bool, shift: bool) -> String {
@@ -33,6 +42,7 @@ pub(crate) fn name_of(key: &str, code: &str, command_key: bool, shift: bool) -> 
     // With Shift, a digit key writes what the keyboard's language has there.
     match code.strip_prefix("Digit") {
         Some(digit) if shift && key != "+" && key != "?" && key != "-" => format!("{control}Shift+{digit}"),
+        _ if key.chars().count() == 1 && command_key && shift => format!("Ctrl+Shift+{}", key.to_lowercase()),
         _ if key.chars().count() == 1 => format!("{control}{}", key.to_lowercase()),
         _ => format!("{control}{key}"),
     }
@@ -45,6 +55,11 @@ pub(crate) fn shown(key: &str) -> String {
         _ if key.len() == 1 => key.to_uppercase(),
         _ => key.replace("Escape", "Esc"),
     }
+}
+
+fn is_button(event: &KeyboardEvent) -> bool {
+    let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+    target.is_some_and(|element| ["BUTTON", "SUMMARY", "A"].contains(&element.tag_name().as_str()))
 }
 
 fn is_typing(event: &KeyboardEvent) -> bool {
@@ -64,7 +79,9 @@ mod tests {
     #[test]
     fn keys_are_named_as_the_table_writes_them() {
         assert_eq!(name_of("o", "KeyO", false, false), "o");
-        assert_eq!(name_of("K", "KeyK", true, true), "Ctrl+k");
+        assert_eq!(name_of("k", "KeyK", true, false), "Ctrl+k");
+        assert_eq!(name_of("Z", "KeyZ", true, true), "Ctrl+Shift+z");
+        assert_eq!(name_of("Delete", "Delete", true, false), "Ctrl+Delete");
         assert_eq!(name_of("!", "Digit1", false, true), "Shift+1");
         assert_eq!(name_of("?", "Slash", false, true), "?");
         assert_eq!(name_of("?", "Minus", false, true), "?");

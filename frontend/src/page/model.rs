@@ -1,17 +1,20 @@
 //! Ground state: what nothing else could tell. Whatever follows from it is in [`super::derived`].
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
+use goalgraph::edit::{self, Edit};
+use goalgraph::history::History;
 use goalgraph::infer::{InferRequest, Method, Progress, RadiusRule};
-use goalgraph::pdfa::{Semantics, StateId, Symbol};
+use goalgraph::layout::{Layout, Point};
+use goalgraph::pdfa::{Semantics, StateId, Symbol, Word};
 use goalgraph::plan::Strategy;
 use goalgraph::subset::SubsetRequest;
 use leptos::prelude::*;
 use serde::Deserialize;
 
 use super::theme::Theme;
-use crate::protocol::{DemonstrationId, FileContent, FileId, Outcome, Placement, Track};
+use crate::protocol::{DemonstrationId, FileContent, FileId, Outcome, Track};
 
 /// What a task is called until somebody names it; the command line's default is the same.
 pub(crate) const UNTITLED: &str = "Untitled task";
@@ -109,13 +112,155 @@ pub(crate) struct Inferring {
     pub(crate) progress: Progress,
 }
 
-/// What is selected in the automaton.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Something of the automaton that can be selected.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Selection {
     /// A state.
     State(StateId),
     /// The transition by a symbol out of a state.
     Transition(StateId, Symbol),
+}
+
+/// An edit that is thought of but not made: its consequence is shown, and nothing else happens.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Draft {
+    /// What the history will call it.
+    pub(crate) label: String,
+    /// What would be done.
+    pub(crate) edits: Vec<Edit>,
+    /// Whether somebody has begun it: then it waits for an answer. Otherwise a pointer or the focus only rests on it.
+    pub(crate) begun: bool,
+}
+
+/// The lists beside the graph.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Side {
+    /// Distinct words and conformance.
+    #[default]
+    Variants,
+    /// States that may be one.
+    Merges,
+    /// What is wrong.
+    Problems,
+    /// What was done.
+    History,
+}
+
+impl Side {
+    /// All lists, from left to right.
+    pub(crate) const ALL: [Self; 4] = [Self::Variants, Self::Merges, Self::Problems, Self::History];
+
+    /// The name on the list.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Variants => "Variants",
+            Self::Merges => "Merges",
+            Self::Problems => "Problems",
+            Self::History => "History",
+        }
+    }
+}
+
+/// The text beside the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TextPane {
+    /// Graphviz syntax.
+    Dot,
+    /// The specification file.
+    Json,
+}
+
+/// A placement of the whole automaton, asked for and given by the worker.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Tidied {
+    /// How many were asked for.
+    pub(crate) asked: u32,
+    /// Which of them was answered last.
+    pub(crate) answered: u32,
+    /// The answer, in each direction of drawing.
+    pub(crate) layouts: Vec<Arc<Layout>>,
+}
+
+/// A walk through the automaton.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Simulation {
+    /// Whether somebody walks at the moment.
+    pub(crate) on: bool,
+    /// The sub-goals completed so far.
+    pub(crate) word: Vec<Symbol>,
+    /// The seed of the words that are drawn.
+    pub(crate) seed: u64,
+}
+
+/// What is looked for in the automaton.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Search {
+    /// The text; none while the field is closed.
+    pub(crate) text: Option<String>,
+    /// Which of the hits is on display.
+    pub(crate) at: usize,
+}
+
+/// What a pointer that is held down does in the drawing. Places are in the frame.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Gesture {
+    /// It moves the drawing.
+    Pan {
+        /// Where the pointer was last.
+        last: Point,
+    },
+    /// It moves states.
+    Drag {
+        /// Where the pointer went down.
+        from: Point,
+        /// Where the states were, in the drawing space.
+        origins: BTreeMap<StateId, Point>,
+        /// The state below the pointer that is none of them.
+        over: Option<StateId>,
+    },
+    /// It draws a rectangle around what is to be selected.
+    Marquee {
+        /// Where the pointer went down.
+        from: Point,
+        /// Where it is.
+        to: Point,
+    },
+    /// It leads an arrow from a state to another.
+    Connect {
+        /// The state.
+        source: StateId,
+        /// The transition whose end is moved; none when a new one is drawn.
+        symbol: Option<Symbol>,
+        /// Where the pointer is.
+        to: Point,
+        /// The state below it.
+        over: Option<StateId>,
+    },
+}
+
+/// A menu and where it is in the window.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Menu {
+    /// From the left.
+    pub(crate) x: f64,
+    /// From the top.
+    pub(crate) y: f64,
+    /// What is in it.
+    pub(crate) content: MenuContent,
+}
+
+/// What a menu offers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum MenuContent {
+    /// The commands for what is selected.
+    Commands,
+    /// The sub-goals that a new transition can have.
+    Symbols {
+        /// Where it starts.
+        source: StateId,
+        /// Where it leads.
+        target: StateId,
+    },
 }
 
 /// What lies over the page.
@@ -125,6 +270,8 @@ pub(crate) enum Overlay {
     Palette,
     /// All commands, to read.
     Help,
+    /// How long an edit takes.
+    Benchmark,
 }
 
 /// A sentence about what just happened.
@@ -168,28 +315,60 @@ pub(crate) struct Model {
     pub(crate) task_name: RwSignal<String>,
     /// What the expert chose.
     pub(crate) settings: RwSignal<Settings>,
-    /// How weights are read.
+    /// How weights are to be read in what is learned next.
     pub(crate) semantics: RwSignal<Semantics>,
+    /// The specification with everything that was done to it; none before the first was learned or opened.
+    pub(crate) history: RwSignal<Option<History>>,
+    /// The edit that is thought of.
+    pub(crate) draft: RwSignal<Option<Draft>>,
+    /// Pairs of states that are not to be proposed for a merge again.
+    pub(crate) vetoed: RwSignal<BTreeSet<(StateId, StateId)>>,
+    /// What keeps its share while others are reweighted.
+    pub(crate) locked: RwSignal<BTreeSet<(StateId, edit::Outcome)>>,
     /// What was learned last.
     pub(crate) learned: RwSignal<Option<Learned>>,
     /// What is being learned.
     pub(crate) inferring: RwSignal<Option<Inferring>>,
     /// What somebody canceled to learn from, so that it is not begun again unasked.
     pub(crate) canceled: RwSignal<Option<Basis>>,
-    /// Where the automaton's parts are, in each direction of drawing.
-    pub(crate) placements: RwSignal<Vec<Arc<Placement>>>,
+    /// Where the worker places everything when nothing is held.
+    pub(crate) tidied: RwSignal<Tidied>,
+    /// States that somebody has put somewhere, in the drawing space.
+    pub(crate) held: RwSignal<BTreeMap<StateId, Point>>,
+    /// States that are being dragged, in the drawing space.
+    pub(crate) moving: RwSignal<BTreeMap<StateId, Point>>,
     /// The demonstration on display.
     pub(crate) demonstration: RwSignal<Option<DemonstrationId>>,
     /// Its values, once the worker gave them.
     pub(crate) track: RwSignal<Option<(DemonstrationId, Arc<Track>)>>,
+    /// The frame of it that is pointed out.
+    pub(crate) moment: RwSignal<Option<usize>>,
     /// The subset on display.
     pub(crate) subset: RwSignal<usize>,
     /// The tab on display.
     pub(crate) tab: RwSignal<Tab>,
-    /// What is selected in the automaton.
-    pub(crate) selection: RwSignal<Option<Selection>>,
+    /// What is selected in the automaton, in the order in which it was; the last is what the inspector shows.
+    pub(crate) selection: RwSignal<Vec<Selection>>,
+    /// The words whose ways are lit up.
+    pub(crate) lit: RwSignal<BTreeSet<Word>>,
+    /// Transitions less probable than this are hidden from view.
+    pub(crate) hidden_below: RwSignal<f64>,
+    /// The list beside the graph.
+    pub(crate) side: RwSignal<Side>,
+    /// The text beside the graph.
+    pub(crate) text_pane: RwSignal<Option<TextPane>>,
+    /// What is looked for.
+    pub(crate) search: RwSignal<Search>,
+    /// The walk through the automaton.
+    pub(crate) simulation: RwSignal<Simulation>,
+    /// What a pointer is doing in the drawing.
+    pub(crate) gesture: RwSignal<Option<Gesture>>,
+    /// The menu that is open.
+    pub(crate) menu: RwSignal<Option<Menu>>,
     /// How the drawing lies; none until it was fitted.
     pub(crate) viewport: RwSignal<Option<Viewport>>,
+    /// Whether nobody has moved or zoomed the drawing since it was fitted.
+    pub(crate) fitted: RwSignal<bool>,
     /// Width and height of the drawing's frame.
     pub(crate) frame: RwSignal<(f64, f64)>,
     /// Whether the automaton is shown as a table.
@@ -206,6 +385,12 @@ pub(crate) struct Model {
     pub(crate) notice: RwSignal<Notice>,
     /// Samples that the server offers; none until it answered.
     pub(crate) samples: RwSignal<Option<Vec<Sample>>>,
+    /// Whether the work of the last visit is back, or there was none.
+    pub(crate) restored: RwSignal<bool>,
+    /// Whether the browser refuses to keep the work.
+    pub(crate) unkept: RwSignal<bool>,
+    /// Names of earlier work that cannot be read.
+    pub(crate) aside: RwSignal<Vec<String>>,
     /// The colors of the page.
     pub(crate) theme: RwSignal<Theme>,
 }
@@ -218,16 +403,32 @@ impl Model {
             task_name: RwSignal::new(UNTITLED.to_owned()),
             settings: RwSignal::default(),
             semantics: RwSignal::default(),
+            history: RwSignal::default(),
+            draft: RwSignal::default(),
+            vetoed: RwSignal::default(),
+            locked: RwSignal::default(),
             learned: RwSignal::default(),
             inferring: RwSignal::default(),
             canceled: RwSignal::default(),
-            placements: RwSignal::default(),
+            tidied: RwSignal::default(),
+            held: RwSignal::default(),
+            moving: RwSignal::default(),
             demonstration: RwSignal::default(),
             track: RwSignal::default(),
+            moment: RwSignal::default(),
             subset: RwSignal::default(),
             tab: RwSignal::default(),
             selection: RwSignal::default(),
+            lit: RwSignal::default(),
+            hidden_below: RwSignal::default(),
+            side: RwSignal::default(),
+            text_pane: RwSignal::default(),
+            search: RwSignal::default(),
+            simulation: RwSignal::default(),
+            gesture: RwSignal::default(),
+            menu: RwSignal::default(),
             viewport: RwSignal::default(),
+            fitted: RwSignal::default(),
             frame: RwSignal::default(),
             as_table: RwSignal::default(),
             unavailable: RwSignal::default(),
@@ -236,6 +437,9 @@ impl Model {
             dragging: RwSignal::default(),
             notice: RwSignal::default(),
             samples: RwSignal::default(),
+            restored: RwSignal::default(),
+            unkept: RwSignal::default(),
+            aside: RwSignal::default(),
             theme: RwSignal::new(Theme::stored()),
         }
     }

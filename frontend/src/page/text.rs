@@ -42,6 +42,27 @@ pub(crate) fn grouped(number: usize) -> String {
     groups.join("\u{202f}")
 }
 
+/// Whether an expert has set a weight, so that it is not just its count.
+pub(crate) fn is_expert(weight: f64, count: u64) -> bool {
+    (weight - count as f64).abs() > 1e-9
+}
+
+/// A weight with up to four decimals.
+pub(crate) fn weight(weight: f64) -> String {
+    let text = format!("{weight:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// A probability with up to four decimals, as people write it into a field.
+pub(crate) fn share(share: f64) -> String {
+    weight(share)
+}
+
+/// A measure that may have no end: `0.12`, `∞`.
+pub(crate) fn measure(value: f64) -> String {
+    if value.is_infinite() { "∞".to_owned() } else { significant(value) }
+}
+
 /// A file size.
 pub(crate) fn bytes(bytes: f64) -> String {
     match bytes {
@@ -68,7 +89,10 @@ pub(crate) fn state_label(specification: &Specification, id: StateId) -> String 
     } else {
         format!("completed {}", names.join(", "))
     };
-    format!("State {id}, {completed}")
+    match &state.name {
+        Some(name) => format!("State {id}, {name}, {completed}"),
+        None => format!("State {id}, {completed}"),
+    }
 }
 
 /// What a screen reader says of a transition: `red 1 from q0 to q1, probability 0.67, 6 of 9`.

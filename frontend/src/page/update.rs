@@ -1,27 +1,38 @@
 //! Whatever changes the ground state: actions from gestures, answers from the worker.
 
+mod edit;
 mod files;
+mod open;
 mod save;
+mod select;
+mod simulation;
 mod worker;
 
 use std::cell::{Cell, OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use goalgraph::edit::{self as engine, Edit};
 use goalgraph::export::ExportFormat;
+use goalgraph::history::History;
 use goalgraph::infer::{Method, RadiusRule};
-use goalgraph::pdfa::{Semantics, Symbol};
+use goalgraph::layout::Point;
+use goalgraph::pdfa::{Semantics, StateId, Symbol, Word};
 use goalgraph::plan::Strategy;
 use goalgraph::subset::SubsetRequest;
 use leptos::prelude::*;
 use web_sys::File;
 
+use super::autosave;
 use super::derived::Derived;
-use super::model::{Model, Notice, Overlay, Sample, Selection, Tab};
+use super::model::{Menu, Model, Notice, Overlay, Sample, Search, Selection, Side, Tab, TextPane};
 use super::samples;
 use super::theme::Theme;
+use super::view;
 use super::worker_link::WorkerLink;
 use crate::protocol::{DemonstrationId, FileId, ToWorker};
+
+pub(crate) use select::Flow;
 
 /// What a gesture means.
 #[derive(Clone, Debug)]
@@ -61,12 +72,74 @@ pub(crate) enum Action {
     ChooseStrategy(Strategy),
     /// Show a demonstration.
     Show(DemonstrationId),
+    /// Show the demonstration at this position of the specification, at a frame.
+    ShowNamed(usize, Option<usize>),
     /// Show a subset.
     ShowSubset(usize),
     /// Show a tab.
     GoTo(Tab),
-    /// Select in the automaton.
+    /// Select in the automaton, alone.
     Select(Option<Selection>),
+    /// Select more, or less.
+    ToggleSelected(Selection),
+    /// Select all of these.
+    SelectAll(Vec<Selection>),
+    /// Select what leads to the selected states, or what they lead to.
+    SelectFlow(Flow),
+    /// Show what these edits would do, while a pointer or the focus rests on them.
+    Consider(Vec<Edit>),
+    /// Stop showing it.
+    ConsiderNoMore,
+    /// Begin these edits: show what they would do, and wait for an answer.
+    Begin(Vec<Edit>),
+    /// Make the edits that were begun.
+    Apply,
+    /// Forget them.
+    CancelDraft,
+    /// Make these edits at once, under this name or that of the first.
+    Edit(Option<String>, Vec<Edit>),
+    /// Undo the last transaction.
+    Undo,
+    /// Make it again.
+    Redo,
+    /// Go to this place in the history.
+    Jump(usize),
+    /// Do not propose this merge again.
+    Veto(StateId, StateId),
+    /// Let an outcome keep its share while others are reweighted, or not.
+    Lock(StateId, engine::Outcome, bool),
+    /// Put states somewhere while they are dragged; with none the drag is over and nothing came of it.
+    Move(BTreeMap<StateId, Point>),
+    /// Let the dragged states stay where they are.
+    Drop,
+    /// Let states go to where the layout puts them.
+    Unpin(Vec<StateId>),
+    /// Place everything anew.
+    Tidy,
+    /// Light up the way of a word, or let it go out.
+    Light(Word),
+    /// Hide transitions that are less probable from view.
+    HideBelow(f64),
+    /// Show a list beside the graph.
+    ShowSide(Side),
+    /// Show a text beside the graph.
+    ShowText(Option<TextPane>),
+    /// Look for something.
+    Search(Option<String>),
+    /// Go to the next hit, or by a negative number to an earlier one.
+    NextHit(isize),
+    /// Show a menu.
+    Menu(Option<Menu>),
+    /// Break off what the pointer does.
+    Abort,
+    /// Begin or end a walk.
+    Walk(bool),
+    /// Complete a sub-goal on the walk.
+    Step(Symbol),
+    /// Go back to after so many steps.
+    StepBack(usize),
+    /// Draw words from another seed.
+    Seed(u64),
     /// Show the automaton as a table or as a graph.
     ToggleTable,
     /// Say that a sub-goal is available, or not.
@@ -125,9 +198,12 @@ impl App {
         let _ = self.outside.get_value().link.set(link);
         self.model.theme.get_untracked().apply();
         samples::list(self);
+        autosave::start(self);
+        // Most of what is there has no place yet: something else was learned or opened.
         Effect::new(move |_| {
-            if let Some(specification) = self.derived.drawn.get() {
-                self.post(&ToWorker::LayOut { specification: specification.to_json() }, None);
+            let waiting = self.model.tidied.with(|tidied| tidied.asked != tidied.answered);
+            if !waiting && self.derived.untidy.get() {
+                self.tidy();
             }
         });
     }
@@ -143,17 +219,66 @@ impl App {
             Action::Clear => self.clear(),
             Action::Infer => self.infer(),
             Action::Cancel => self.cancel(),
-            Action::Name(name) => model.task_name.set(name),
+            Action::Name(name) => self.name(name),
             Action::ChooseSubsets(subsets) => model.settings.update(|settings| settings.subsets = subsets),
             Action::Restore { subset, center } => self.restore(&subset, center),
             Action::ChooseMethod(method) => model.settings.update(|settings| settings.method = method),
             Action::ChooseRadius(radius) => model.settings.update(|settings| settings.radius = radius),
-            Action::ChooseSemantics(semantics) => model.semantics.set(semantics),
+            Action::ChooseSemantics(semantics) => self.choose_semantics(semantics),
             Action::ChooseStrategy(strategy) => model.strategy.set(strategy),
             Action::Show(demonstration) => self.show(demonstration),
+            Action::ShowNamed(index, frame) => self.show_named(index, frame),
             Action::ShowSubset(index) => model.subset.set(index),
             Action::GoTo(tab) => model.tab.set(tab),
-            Action::Select(selection) => model.selection.set(selection),
+            Action::Select(selection) => self.select(selection),
+            Action::ToggleSelected(item) => self.toggle_selected(item),
+            Action::SelectAll(items) => model.selection.set(items),
+            Action::SelectFlow(flow) => self.select_flow(flow),
+            Action::Consider(edits) => self.think_of(None, edits, false),
+            Action::ConsiderNoMore => self.think_no_more(),
+            Action::Begin(edits) => self.think_of(None, edits, true),
+            Action::Apply => self.apply_draft(),
+            Action::CancelDraft => model.draft.set(None),
+            Action::Edit(label, edits) => self.edit(label, edits),
+            Action::Undo => self.travel(History::undo),
+            Action::Redo => self.travel(History::redo),
+            Action::Jump(position) => self.travel(|history| {
+                history.jump(position);
+                true
+            }),
+            Action::Veto(first, second) => model.vetoed.update(|vetoed| {
+                vetoed.insert((first, second));
+            }),
+            Action::Lock(state, outcome, lock) => model.locked.update(|locked| {
+                if lock {
+                    locked.insert((state, outcome))
+                } else {
+                    locked.remove(&(state, outcome))
+                };
+            }),
+            Action::Move(places) => model.moving.set(places),
+            Action::Drop => self.hold_moving(),
+            Action::Unpin(states) => model.held.update(|held| held.retain(|id, _| !states.contains(id))),
+            Action::Tidy => self.tidy(),
+            Action::Light(word) => model.lit.update(|lit| {
+                if !lit.remove(&word) {
+                    lit.insert(word);
+                }
+            }),
+            Action::HideBelow(share) => model.hidden_below.set(share),
+            Action::ShowSide(side) => model.side.set(side),
+            Action::ShowText(pane) => model.text_pane.set(pane),
+            Action::Search(text) => model.search.set(Search { text, at: 0 }),
+            Action::NextHit(step) => self.next_hit(step),
+            Action::Menu(menu) => model.menu.set(menu),
+            Action::Abort => {
+                model.gesture.set(None);
+                model.moving.set(BTreeMap::new());
+            }
+            Action::Walk(on) => self.walk(on),
+            Action::Step(symbol) => self.step(symbol),
+            Action::StepBack(steps) => self.step_back(steps),
+            Action::Seed(seed) => model.simulation.update(|walk| walk.seed = seed),
             Action::ToggleTable => model.as_table.update(|as_table| *as_table = !*as_table),
             Action::SetAvailable(symbol, available) => model.unavailable.update(|unavailable| {
                 if available {
@@ -178,9 +303,65 @@ impl App {
         self.act(Action::Infer);
     }
 
+    /// Before there is a specification the name waits for it; afterwards naming is an edit.
+    fn name(self, name: String) {
+        let there = self.derived.specification.get_untracked();
+        match there {
+            Some(specification) if specification.name != name => {
+                self.edit(None, vec![Edit::RenameTask { name }]);
+            }
+            Some(_) => {}
+            None => self.model.task_name.set(name),
+        }
+    }
+
+    fn choose_semantics(self, semantics: Semantics) {
+        self.model.semantics.set(semantics);
+        let there = self.derived.specification.get_untracked();
+        if there.is_some_and(|specification| specification.semantics != semantics) {
+            self.edit(None, vec![Edit::SetSemantics { semantics }]);
+        }
+    }
+
+    /// Has everything placed anew; what is held stays.
+    fn tidy(self) {
+        let Some(specification) = self.derived.specification.get_untracked() else { return };
+        self.model.tidied.update(|tidied| tidied.asked += 1);
+        self.post(&ToWorker::LayOut { specification: specification.to_json() }, None);
+    }
+
+    /// The drag is over: what was moved is held from now on.
+    fn hold_moving(self) {
+        let moving = self.model.moving.get_untracked();
+        self.model.held.update(|held| held.extend(moving));
+        self.model.moving.set(BTreeMap::new());
+    }
+
+    fn next_hit(self, step: isize) {
+        let hits = self.derived.hits.get_untracked();
+        if hits.is_empty() {
+            return;
+        }
+        self.model.search.update(|search| {
+            let next = (search.at.cast_signed() + step).rem_euclid(hits.len().cast_signed());
+            search.at = next.cast_unsigned();
+        });
+        let hit = hits[self.model.search.with_untracked(|search| search.at) % hits.len()];
+        self.select(Some(hit));
+        view::viewport::show(self, &[hit]);
+    }
+
     fn set_theme(self, theme: Theme) {
         self.model.theme.set(theme);
         theme.apply();
+    }
+
+    /// The recordings that are loaded, as the browser has them, by name.
+    pub(crate) fn loaded_files(self) -> Vec<(String, File)> {
+        let outside = self.outside.get_value();
+        let handles = outside.files.borrow();
+        let loaded = self.model.files.get_untracked();
+        loaded.into_iter().filter_map(|file| Some((file.name, handles.get(&file.id)?.clone()))).collect()
     }
 
     fn say(self, notice: Notice) {

@@ -6,13 +6,16 @@ use goalgraph::demonstration::Demonstration;
 use goalgraph::export::{ExportFormat, export};
 use goalgraph::import::{Header, import};
 use goalgraph::infer::{InferRequest, infer};
+use goalgraph::layout::drawing::layout_request;
+use goalgraph::layout::{Direction, Layout, LayoutRequest, layout};
 use goalgraph::specification::Specification;
 use goalgraph::sub_goal::{Cluster, Eliminated};
 
+use super::opening::{is_specification, opened};
 use super::thin::{cloud, track};
 use crate::protocol::{
-    DemonstrationEntry, DemonstrationId, EliminatedCluster, FileContent, FileId, FromWorker, Outcome,
-    Placement, ToWorker,
+    Completed, DemonstrationEntry, DemonstrationId, EliminatedCluster, FileContent, FileId, FromWorker,
+    Outcome, ToWorker,
 };
 
 /// The demonstrations of each file.
@@ -30,8 +33,15 @@ impl Recordings {
         match request {
             ToWorker::Read { file, name } => {
                 let bytes = bytes.unwrap_or_else(|| Err("there is no file beside the request".to_owned()));
-                let result = bytes.and_then(|bytes| self.read(file, &name, &bytes));
-                answer(FromWorker::Read { file, result });
+                answer(match bytes {
+                    Ok(bytes) if is_specification(&name, &bytes) => {
+                        FromWorker::Opened { file, result: opened(&name, &bytes) }
+                    }
+                    bytes => {
+                        let result = bytes.and_then(|bytes| self.read(file, &name, &bytes));
+                        FromWorker::Read { file, result }
+                    }
+                });
             }
             ToWorker::Forget { file } => {
                 self.0.remove(&file);
@@ -45,7 +55,7 @@ impl Recordings {
                     answer(FromWorker::Track { demonstration, track });
                 }
             }
-            ToWorker::LayOut { specification } => answer(FromWorker::LaidOut(placements(&specification))),
+            ToWorker::LayOut { specification } => answer(FromWorker::LaidOut(layouts(&specification))),
             ToWorker::DrawSvg { specification } => answer(FromWorker::Svg(svg(&specification))),
         }
     }
@@ -106,8 +116,11 @@ fn outcome(
     let inference = infer(demonstrations, request, progress).map_err(|error| error.to_string())?;
     let subsets = &inference.specification.subsets;
     let clouds = subsets.iter().map(|subset| cloud(demonstrations, &subset.name, &subset.features)).collect();
+    let words = inference.specification.demonstrations.iter().map(|it| it.word.clone());
+    let completed = words.zip(inference.completed).map(|(word, frames)| Completed { word, frames }).collect();
     Ok(Outcome {
         specification: inference.specification.to_json(),
+        completed,
         eliminated: inference.eliminated.into_iter().map(cluster).collect(),
         notes: inference.notes,
         clouds,
@@ -127,9 +140,12 @@ fn cluster(eliminated: Eliminated) -> EliminatedCluster {
     EliminatedCluster { subset, center, radius, frames, demonstrations, reason }
 }
 
-fn placements(specification: &str) -> Result<Vec<Placement>, String> {
+/// The layouts from left to right and from top to bottom.
+fn layouts(specification: &str) -> Result<Vec<Layout>, String> {
     let specification = Specification::from_json(specification).map_err(|error| error.to_string())?;
-    Ok(super::place::place(&specification))
+    let request = layout_request(&specification);
+    let directions = [Direction::LeftToRight, Direction::TopToBottom];
+    Ok(directions.map(|direction| layout(&LayoutRequest { direction, ..request.clone() })).into())
 }
 
 fn svg(specification: &str) -> Result<String, String> {

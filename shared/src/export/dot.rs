@@ -3,15 +3,16 @@
 use std::collections::BTreeSet;
 
 use crate::layout::drawing::probability_text;
-use crate::pdfa::{Probabilities, State, StateId, Symbol, Transition};
-use crate::specification::Specification;
+use crate::pdfa::{Probabilities, Semantics, State, StateId, Symbol, Transition};
+use crate::specification::{Specification, SubGoal};
 
 /// The automaton as a directed graph that `dot` draws, and that `AALpy` and petgraph's parser read.
 ///
 /// Every state and transition is one line. For people there is a label; for programs there are attributes with ids and
 /// exact numbers (as many digits as it takes to read the same number back):
 ///
-/// - of states `completed` (ids of sub-goals), `accepting`, `end_count`, `end_weight`, `final_probability`;
+/// - of the graph `name`, `semantics`, and the names of the sub-goals under their ids, in the order of the alphabet;
+/// - of states `name` where an expert gave one, `completed` (ids of sub-goals), `accepting`, `end_count`, `end_weight`, `final_probability`;
 /// - of transitions `symbol`, `probability`, `count`, `weight`.
 ///
 /// The node `__start0` and the edge from it mark the initial state; accepting states are double circles. `AALpy` reads lines
@@ -27,6 +28,7 @@ pub fn dot(specification: &Specification) -> String {
     let probabilities = pdfa.probabilities(specification.semantics);
     let mut text = format!("digraph {} {{\n", quoted(&title(&specification.name)));
     text += "  rankdir=LR;\n  node [shape=circle];\n";
+    text += &graph_lines(specification);
     text += "  __start0 [label=\"\" shape=\"none\"];\n";
     text = text + "  __start0 -> " + &pdfa.initial.to_string() + " [label=\"\"];\n";
     for (&id, state) in &pdfa.states {
@@ -38,6 +40,18 @@ pub fn dot(specification: &Specification) -> String {
     text + "}\n"
 }
 
+/// What only programs read: names to the letter.
+fn graph_lines(specification: &Specification) -> String {
+    let semantics = match specification.semantics {
+        Semantics::MaximumLikelihood => "maximum_likelihood",
+        Semantics::Published => "published",
+    };
+    let mut text = format!("  name={};\n  semantics=\"{semantics}\";\n", exact(&specification.name));
+    let line = |sub_goal: &SubGoal| format!("  {}={};\n", sub_goal.id, exact(&sub_goal.name));
+    text.extend(specification.sub_goals.iter().map(line));
+    text
+}
+
 fn state_line(
     specification: &Specification,
     probabilities: &Probabilities,
@@ -47,8 +61,9 @@ fn state_line(
     let names: Vec<String> = state.completed.iter().map(|&symbol| specification.name_of(symbol)).collect();
     let label = if names.is_empty() { id.to_string() } else { format!("{id}\n{}", names.join(", ")) };
     let shape = if state.accepting { "doublecircle" } else { "circle" };
+    let name = state.name.as_ref().map_or_else(String::new, |name| format!(" name={}", exact(name)));
     format!(
-        "  {id} [label={} shape=\"{shape}\" completed=\"{}\" accepting=\"{}\" end_count=\"{}\" end_weight=\"{}\" \
+        "  {id} [label={} shape=\"{shape}\"{name} completed=\"{}\" accepting=\"{}\" end_count=\"{}\" end_weight=\"{}\" \
          final_probability=\"{}\"];\n",
         quoted(&label),
         ids(&state.completed),
@@ -84,9 +99,19 @@ fn title(name: &str) -> String {
     name.replace('\n', " ").replace("label", "Label")
 }
 
-/// `text` as a quoted string that Graphviz shows as it is, a line break as such. What would start an HTML entity or look
-/// like an edge or the start node is written as an entity; control characters are left out.
+/// `text` as a quoted string from which it can be read back to the letter: control characters are written as entities, and
+/// so is the first letter of the word by which `AALpy` knows a state's line.
+fn exact(text: &str) -> String {
+    written(text, |control| format!("&#{};", u32::from(control))).replace("label", "&#108;abel")
+}
+
+/// `text` as a quoted string that Graphviz shows as it is, a line break as such; control characters are left out.
 fn quoted(text: &str) -> String {
+    written(text, |_| " ".to_owned())
+}
+
+/// `text` in quotes. What would start an HTML entity or look like an edge or the start node is written as an entity.
+fn written(text: &str, control: impl Fn(char) -> String) -> String {
     let mut quoted = String::from("\"");
     for character in text.chars() {
         match character {
@@ -96,7 +121,7 @@ fn quoted(text: &str) -> String {
             '>' => quoted += "&gt;",
             '<' => quoted += "&lt;",
             '\n' => quoted += "\\n",
-            control if control.is_control() => quoted.push(' '),
+            other if other.is_control() => quoted += &control(other),
             other => quoted.push(other),
         }
     }

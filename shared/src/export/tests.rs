@@ -9,6 +9,7 @@ fn specification(name: &str, names: &[&str], words: &[&[u32]]) -> Specification 
         ball: None,
         frames: 0,
         demonstrations: 0,
+        color: None,
     };
     let words: Vec<Vec<Symbol>> =
         words.iter().map(|word| word.iter().copied().map(Symbol).collect()).collect();
@@ -32,6 +33,10 @@ fn dot_has_a_line_for_every_state_and_transition() {
     let expected = r#"digraph "Two blocks" {
   rankdir=LR;
   node [shape=circle];
+  name="Two blocks";
+  semantics="maximum_likelihood";
+  g0="red";
+  g1="blue";
   __start0 [label="" shape="none"];
   __start0 -> q0 [label=""];
   q0 [label="q0" shape="circle" completed="" accepting="false" end_count="0" end_weight="0" final_probability="0"];

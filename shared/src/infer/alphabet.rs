@@ -1,10 +1,10 @@
 //! Sub-goals put in the order of the alphabet.
 
 use super::reading::Reading;
-use crate::pdfa::{Symbol, Word};
+use crate::pdfa::Symbol;
 use crate::specification::SubGoal;
 use crate::sub_goal::Cluster;
-use crate::word::{Reached, read_word};
+use crate::word::{Reached, completions};
 
 /// The sub-goals in order, and where each was reached.
 #[derive(Default)]
@@ -36,17 +36,18 @@ impl Alphabet {
                 ball: Some(cluster.ball),
                 frames: cluster.frames,
                 demonstrations: cluster.demonstrations,
+                color: None,
             });
             self.reached.push(frames);
         }
     }
 
-    /// The word of a demonstration.
-    pub(super) fn word(&self, demonstration: usize) -> Word {
+    /// The word of a demonstration, each symbol with the frame in which it was completed.
+    pub(super) fn completions(&self, demonstration: usize) -> Vec<(Symbol, usize)> {
         let pairs = self.sub_goals.iter().zip(&self.reached);
         let reached = pairs
             .map(|(sub_goal, frames)| Reached { symbol: sub_goal.id, frames: frames[demonstration].clone() });
-        read_word(&reached.collect::<Vec<_>>())
+        completions(&reached.collect::<Vec<_>>())
     }
 }
 

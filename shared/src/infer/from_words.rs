@@ -21,7 +21,7 @@ pub fn infer_words(name: &str, semantics: Semantics, named_words: &[Vec<String>]
             let symbol = *symbols.entry(symbol_name).or_insert_with(|| {
                 let id = Symbol(sub_goals.len() as u32);
                 let name = symbol_name.clone();
-                sub_goals.push(SubGoal { id, name, ball: None, frames: 0, demonstrations: 0 });
+                sub_goals.push(SubGoal { id, name, ball: None, frames: 0, demonstrations: 0, color: None });
                 id
             });
             if !word.contains(&symbol) {

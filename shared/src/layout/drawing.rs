@@ -48,7 +48,7 @@ pub struct StateDrawing {
     pub width: f64,
     /// Height of the box.
     pub height: f64,
-    /// The id, and how probable it is that the task ends here where it may also go on.
+    /// The id, the name where there is one, and how probable it is that the task ends here where it may also go on.
     pub title: String,
     /// Center of the title.
     pub title_at: Point,
@@ -118,12 +118,10 @@ pub fn state_drawing(
     id: StateId,
     state: &State,
 ) -> StateDrawing {
-    let title = match probabilities.end(id) {
-        end if state.accepting && !state.transitions.is_empty() => {
-            format!("{id} · ends {}", probability_text(end))
-        }
-        _ => id.to_string(),
-    };
+    let name = state.name.as_ref().map(|name| format!(" · {}", shortened(name, MAX_NAME_CHARACTERS)));
+    let ends = (state.accepting && !state.transitions.is_empty())
+        .then(|| format!(" · ends {}", probability_text(probabilities.end(id))));
+    let title = format!("{id}{}{}", name.unwrap_or_default(), ends.unwrap_or_default());
     let note = state.completed.is_empty().then_some(if id == specification.pdfa.initial {
         "start"
     } else {

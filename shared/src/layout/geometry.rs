@@ -1,7 +1,9 @@
 //! Points, boxes and curves.
 
+use serde::{Deserialize, Serialize};
+
 /// A place or a direction in the drawing space.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct Point {
     /// To the right.
     pub x: f64,
@@ -30,7 +32,7 @@ impl Point {
 }
 
 /// A cubic Bézier curve.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CubicBezier {
     /// Where it starts.
     pub start: Point,
@@ -77,7 +79,7 @@ impl CubicBezier {
 }
 
 /// A box with sides along the axes.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Rect {
     /// Left side.
     pub left: f64,

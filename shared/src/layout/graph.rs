@@ -54,6 +54,11 @@ impl Graph {
         Self { ids, sizes, edges, initial }
     }
 
+    /// Whether an edge joins a node to itself.
+    pub(super) fn is_loop(&self, edge: usize) -> bool {
+        self.edges[edge].source == self.edges[edge].target
+    }
+
     /// The connected components, that of the initial node first, the others by their first node; nodes in ascending order.
     pub(super) fn components(&self) -> Vec<Vec<usize>> {
         let mut neighbors = vec![Vec::new(); self.sizes.len()];

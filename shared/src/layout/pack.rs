@@ -8,7 +8,7 @@ use super::route::Route;
 use super::{ArrowHead, Direction, EdgePath, Layout, LayoutRequest, NodeBox, START_LENGTH, StartArrow};
 
 /// Room around the drawing.
-const MARGIN: f64 = 16.0;
+pub(super) const MARGIN: f64 = 16.0;
 
 /// Room between components.
 const COMPONENT_GAP: f64 = 36.0;
@@ -90,6 +90,8 @@ pub(super) fn pack(request: &LayoutRequest, graph: &Graph, pieces: Vec<Piece>) -
         nodes: picture.nodes.into_iter().flatten().collect(),
         edges: edges.into_iter().map(|(_, edge)| edge).collect(),
         start: picture.start,
+        left: 0.0,
+        top: 0.0,
         width: extent.x,
         height: extent.y,
     }

@@ -12,7 +12,7 @@ const PORT_GAP: f64 = 16.0;
 pub(super) const CORNER: f64 = 9.0;
 
 /// Room between the labels of edges with the same ends.
-const FAN_GAP: f64 = 8.0;
+pub(super) const FAN_GAP: f64 = 8.0;
 
 /// An edge in the flow space of its component.
 #[derive(Clone, Debug)]
@@ -104,7 +104,7 @@ fn snap(graph: &Graph, layers: &Layers, place: &Place, chain: &Chain, ports: &mu
     }
 }
 
-fn port_gap(height: f64, count: usize) -> f64 {
+pub(super) fn port_gap(height: f64, count: usize) -> f64 {
     let room = (height - 2.0 * CORNER).max(height / 2.0);
     if count < 2 { 0.0 } else { (room / (count - 1) as f64).min(PORT_GAP) }
 }
@@ -206,7 +206,7 @@ impl Track<'_> {
 }
 
 /// The curve that is level at both ends.
-fn level_ended(start: Point, end: Point) -> CubicBezier {
+pub(super) fn level_ended(start: Point, end: Point) -> CubicBezier {
     let middle = f64::midpoint(start.x, end.x);
     let (control_1, control_2) = (Point::new(middle, start.y), Point::new(middle, end.y));
     CubicBezier { start, control_1, control_2, end }

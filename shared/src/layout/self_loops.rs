@@ -40,20 +40,43 @@ impl Arc<'_> {
     fn route(&self, edge: usize, at: usize) -> Route {
         let share = (at + 1) as f64 / (self.labels.len() + 1) as f64;
         let half = (self.size.width / 2.0 - CORNER).max(self.size.width / 4.0).min(LARGEST_HALF) * share;
-        let top = self.center.y - self.size.height / 2.0;
         let (rise, half_width) = (loop_rises(self.labels)[at], loop_half_widths(self.labels)[at].max(half));
-        let (start, tip) = (Point::new(self.center.x - half, top), Point::new(self.center.x + half, top));
-        let arrow = ArrowHead { tip, direction: Point::new(0.0, 1.0) };
-        let left = Point::new(self.center.x - half_width, top - rise + LOOP_RISE / 2.0);
-        let right = Point::new(self.center.x + half_width, left.y);
-        let path = vec![upright(start, left), cap(left, right, top - rise), upright(right, arrow.base())];
+        let shape = Loop { center: self.center, size: self.size, foot: half, half_width, rise };
+        let (path, arrow) = loop_around(&shape);
+        let top = self.center.y - self.size.height / 2.0;
         let label = Point::new(self.center.x, top - rise - LOOP_LABEL_GAP - self.labels[at].height / 2.0);
         Route { edge, path, arrow, label_places: vec![label] }
     }
 }
 
+/// The measures of a self-loop above a box.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Loop {
+    /// Of the box.
+    pub(super) center: Point,
+    pub(super) size: Size,
+    /// Half the distance of its ends.
+    pub(super) foot: f64,
+    /// Half its width.
+    pub(super) half_width: f64,
+    /// How far its top is above the box.
+    pub(super) rise: f64,
+}
+
+/// Path and head of a self-loop.
+pub(super) fn loop_around(shape: &Loop) -> (Vec<CubicBezier>, ArrowHead) {
+    let Loop { center, size, foot, half_width, rise } = *shape;
+    let top = center.y - size.height / 2.0;
+    let (start, tip) = (Point::new(center.x - foot, top), Point::new(center.x + foot, top));
+    let arrow = ArrowHead { tip, direction: Point::new(0.0, 1.0) };
+    let left = Point::new(center.x - half_width, top - rise + LOOP_RISE / 2.0);
+    let right = Point::new(center.x + half_width, left.y);
+    let path = vec![upright(start, left), cap(left, right, top - rise), upright(right, arrow.base())];
+    (path, arrow)
+}
+
 /// Half of the largest distance between the ends of a loop.
-const LARGEST_HALF: f64 = 40.0;
+pub(super) const LARGEST_HALF: f64 = 40.0;
 
 /// The curve that is upright at both ends.
 fn upright(start: Point, end: Point) -> CubicBezier {

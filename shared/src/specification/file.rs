@@ -147,6 +147,10 @@ pub(super) struct SubGoalEntry {
     pub(super) frames: usize,
     /// How many demonstrations reached it.
     pub(super) demonstrations: usize,
+    /// Number of its color in the palette, below 8; chosen by whoever draws when it is left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(range(max = 7)))]
+    pub(super) color: Option<u8>,
 }
 
 /// The probabilistic deterministic finite automaton.
@@ -171,6 +175,9 @@ pub(super) struct AutomatonEntry {
 pub(super) struct StateEntry {
     /// Its id; never reused.
     pub(super) id: StateId,
+    /// What an expert calls it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) name: Option<String>,
     /// The sub-goals that are completed here, each once.
     pub(super) completed: Vec<Symbol>,
     /// Whether the task may end here.
@@ -339,6 +346,7 @@ fn sub_goal_entry(sub_goal: &SubGoal) -> SubGoalEntry {
         radius: ball.map(|ball| Number(ball.radius)),
         frames: sub_goal.frames,
         demonstrations: sub_goal.demonstrations,
+        color: sub_goal.color,
     }
 }
 
@@ -346,6 +354,7 @@ fn automaton_entry(pdfa: &Pdfa, semantics: Semantics) -> AutomatonEntry {
     let probabilities = pdfa.probabilities(semantics);
     let state_entry = |(&id, state): (&StateId, &State)| StateEntry {
         id,
+        name: state.name.clone(),
         completed: state.completed.iter().copied().collect(),
         accepting: state.accepting,
         end_count: state.end_count,

@@ -6,7 +6,7 @@ use super::file::{
     AutomatonEntry, FeatureEntry, PROBABILITY_TOLERANCE, ReadError, SpecificationFile, SubGoalEntry,
     SubsetEntry, contradiction,
 };
-use super::{Ball, DemonstrationWord, Specification, SubGoal, SubsetParameters};
+use super::{Ball, COLORS, DemonstrationWord, Specification, SubGoal, SubsetParameters};
 use crate::demonstration::Feature;
 use crate::pdfa::{Pdfa, Semantics, State, StateId, Symbol, Transition};
 
@@ -136,8 +136,11 @@ fn sub_goal(entry: SubGoalEntry, subsets: &BTreeMap<&str, &SubsetParameters>) ->
             return Err(contradiction(place, "subset, features, center and radius go together"));
         }
     };
-    let (frames, demonstrations) = (entry.frames, entry.demonstrations);
-    Ok(SubGoal { id: entry.id, name: entry.name, ball, frames, demonstrations })
+    if let Some(color) = entry.color.filter(|&color| color >= COLORS) {
+        return Err(contradiction(place, format!("color: {color} must be below {COLORS}")));
+    }
+    let (frames, demonstrations, color) = (entry.frames, entry.demonstrations, entry.color);
+    Ok(SubGoal { id: entry.id, name: entry.name, ball, frames, demonstrations, color })
 }
 
 fn pdfa(entry: &AutomatonEntry, symbols: &BTreeSet<Symbol>) -> Result<Pdfa, ReadError> {
@@ -150,8 +153,8 @@ fn pdfa(entry: &AutomatonEntry, symbols: &BTreeSet<Symbol>) -> Result<Pdfa, Read
         let end_weight = weight(format!("{place}: end_weight"), state.end_weight.0)?;
         let completed = state.completed.iter().copied().collect();
         let (accepting, end_count) = (state.accepting, state.end_count);
-        let transitions = BTreeMap::new();
-        states.insert(state.id, State { completed, accepting, end_count, end_weight, transitions });
+        let (name, transitions) = (state.name.clone(), BTreeMap::new());
+        states.insert(state.id, State { name, completed, accepting, end_count, end_weight, transitions });
     }
     let exists = |place: &str, id: StateId| {
         ids.contains(&id).then_some(()).ok_or_else(|| contradiction(place, format!("there is no state {id}")))

@@ -65,7 +65,7 @@ impl Report {
                 Severity::Error => "error",
                 Severity::Warning => "warning",
             },
-            place: problem.place.clone(),
+            place: problem.place().to_string(),
             message: problem.message.clone(),
         };
         Self {

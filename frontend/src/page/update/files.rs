@@ -1,12 +1,14 @@
 //! Files that come and go.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use leptos::prelude::*;
 use web_sys::File;
 
 use super::App;
-use crate::page::model::{Basis, LoadedFile, Model, Notice, Reading, Settings, Tab, UNTITLED};
+use crate::page::model::{
+    Basis, LoadedFile, Model, Notice, Reading, Search, Settings, Simulation, Tab, Tidied, UNTITLED,
+};
 use crate::protocol::{DemonstrationId, FileId, ToWorker};
 
 impl App {
@@ -48,7 +50,7 @@ impl App {
         });
     }
 
-    fn forget(self, id: FileId) {
+    pub(super) fn forget(self, id: FileId) {
         self.outside.get_value().files.borrow_mut().remove(&id);
         self.post(&ToWorker::Forget { file: id }, None);
         self.model.files.update(|files| files.retain(|file| file.id != id));
@@ -79,11 +81,30 @@ impl App {
     }
 
     fn drop_learned(self) {
-        self.model.learned.set(None);
-        self.model.placements.set(Vec::new());
-        self.model.viewport.set(None);
-        self.model.selection.set(None);
-        self.model.unavailable.update(BTreeSet::clear);
+        let model = self.model;
+        model.learned.set(None);
+        model.history.set(None);
+        model.draft.set(None);
+        model.vetoed.update(BTreeSet::clear);
+        model.locked.update(BTreeSet::clear);
+        model.tidied.set(Tidied::default());
+        model.held.set(BTreeMap::new());
+        model.viewport.set(None);
+        model.selection.set(Vec::new());
+        model.lit.update(BTreeSet::clear);
+        model.hidden_below.set(0.0);
+        model.search.set(Search::default());
+        model.simulation.set(Simulation::default());
+        model.unavailable.update(BTreeSet::clear);
+    }
+
+    /// Whether nobody has changed what was learned, so that nothing is lost when it goes with its files.
+    fn is_unedited(self) -> bool {
+        self.model.learned.with_untracked(Option::is_some)
+            && self
+                .model
+                .history
+                .with_untracked(|history| history.as_ref().is_some_and(|history| history.labels().is_empty()))
     }
 
     /// Once no file is being read any more: shows something, and infers when there is something new to infer from.
@@ -97,7 +118,8 @@ impl App {
             self.show(DemonstrationId { file: *file, index: 0 });
         }
         match self.derived.basis.get_untracked() {
-            None => self.drop_learned(),
+            None if self.is_unedited() => self.drop_learned(),
+            None => {}
             Some(basis) if self.is_known(&basis) => {}
             Some(_) => self.infer(),
         }
@@ -113,6 +135,23 @@ impl App {
 
     pub(super) fn show(self, demonstration: DemonstrationId) {
         self.model.demonstration.set(Some(demonstration));
+        self.model.moment.set(None);
         self.post(&ToWorker::Track { demonstration }, None);
+    }
+
+    /// Shows the demonstration at a position of the specification, which has them in the order of the accepted files.
+    pub(super) fn show_named(self, index: usize, frame: Option<usize>) {
+        let accepted = self.derived.accepted.get_untracked();
+        let all = accepted.iter().flat_map(|(file, content)| {
+            (0..content.demonstrations.len()).map(|index| DemonstrationId { file: *file, index })
+        });
+        match all.clone().nth(index) {
+            Some(demonstration) => {
+                self.show(demonstration);
+                self.model.moment.set(frame);
+                self.model.tab.set(Tab::Demonstrations);
+            }
+            None => self.say(Notice::alarm("The recording of this demonstration is not loaded.")),
+        }
     }
 }

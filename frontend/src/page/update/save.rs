@@ -15,7 +15,10 @@ impl App {
             return self.say(Notice::alarm("There is nothing to export yet. Open demonstrations first."));
         };
         match format {
-            ExportFormat::Json => self.save("goalgraph.json", "application/json", &specification.to_json()),
+            ExportFormat::Json => {
+                self.save("goalgraph.json", "application/json", &specification.to_json());
+                self.mark_saved();
+            }
             ExportFormat::Dot => {
                 let text = export(&specification, ExportFormat::Dot);
                 self.save("dot", "text/vnd.graphviz", &text);
@@ -27,7 +30,7 @@ impl App {
     }
 
     pub(super) fn save(self, extension: &str, media_type: &str, text: &str) {
-        let stem = self.model.task_name.with_untracked(|name| file_stem(name));
+        let stem = self.derived.task_name.with_untracked(|name| file_stem(name));
         let name = format!("{stem}.{extension}");
         match download::save(&name, media_type, text) {
             Ok(()) => self.say(Notice::calm(format!("Saved {name}."))),

@@ -4,10 +4,11 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use goalgraph::infer::Progress;
+use goalgraph::specification::Specification;
 use leptos::prelude::*;
 
 use super::App;
-use crate::page::model::{Basis, Inferring, Learned, Notice, Reading, Tab};
+use crate::page::model::{Basis, Inferring, Learned, Notice, Reading, Tab, Tidied};
 use crate::page::text::count;
 use crate::page::verdict::Verdict;
 use crate::page::view::graph;
@@ -41,6 +42,8 @@ impl App {
     /// A fresh worker knows nothing: it is given the files again that were accepted.
     pub(super) fn restart_worker(self) {
         self.model.inferring.set(None);
+        // A placement that was asked for is never answered now.
+        self.model.tidied.update(|tidied| tidied.asked = tidied.answered);
         let outside = self.outside.get_value();
         if let Some(link) = outside.link.get() {
             link.restart();
@@ -99,10 +102,12 @@ impl App {
             FromWorker::Track { demonstration, track } => {
                 model.track.set(Some((demonstration, Arc::new(track))));
             }
-            FromWorker::LaidOut(Ok(placements)) => {
-                model.placements.set(placements.into_iter().map(Arc::new).collect());
+            FromWorker::LaidOut(Ok(layouts)) => {
+                let layouts = layouts.into_iter().map(Arc::new).collect();
+                model.tidied.update(|tidied| *tidied = Tidied { layouts, answered: tidied.asked, ..*tidied });
                 graph::fit(self);
             }
+            FromWorker::Opened { file, result } => self.opened(file, result),
             FromWorker::Svg(Ok(text)) => self.save("svg", "image/svg+xml", &text),
             FromWorker::LaidOut(Err(reason)) | FromWorker::Svg(Err(reason)) => {
                 self.say(Notice::alarm(format!("The automaton cannot be drawn: {reason}")));
@@ -117,12 +122,27 @@ impl App {
             Err(reason) => self.say(Notice::alarm(format!("Nothing was inferred: {reason}"))),
             Ok(outcome) => {
                 let first = self.model.learned.with_untracked(Option::is_none);
-                self.model.selection.set(None);
+                self.model.selection.set(Vec::new());
                 self.model.unavailable.update(BTreeSet::clear);
+                self.model.simulation.update(|walk| walk.on = false);
+                match Specification::from_json(&outcome.specification) {
+                    Ok(specification) => self.take_learned(specification),
+                    Err(reason) => {
+                        return self.say(Notice::alarm(format!("The result cannot be read: {reason}.")));
+                    }
+                }
                 self.model.learned.set(Some(Learned { basis: inferring.basis, outcome: Arc::from(outcome) }));
                 self.announce(first);
             }
         }
+    }
+
+    /// Puts what was learned in the place of what is there, as a step that can be undone.
+    fn take_learned(self, mut specification: Specification) {
+        specification.name = self.derived.task_name.get_untracked();
+        specification.semantics = self.derived.semantics.get_untracked();
+        let label = format!("Learn from {}", count(specification.demonstrations.len(), "demonstration"));
+        self.replace(label, specification);
     }
 
     /// Says what was learned. The first automaton is shown at once, unless a verdict has to be read before.

@@ -1,9 +1,9 @@
-//! The Automaton tab: variants, the graph or its table, the inspector.
+//! The Automaton tab: lists, the graph or its table with what an edit would do, the inspector.
 
 use leptos::prelude::*;
 
-use super::chips::{button, nothing_yet, short_button};
-use super::{graph, inspector, table, words};
+use super::chips::{icon_button, nothing_yet, short_button};
+use super::{draft, graph, inspector, search, side, table, text_pane};
 use crate::page::text::count;
 use crate::page::update::App;
 
@@ -17,10 +17,13 @@ pub(crate) fn automaton(app: App) -> impl IntoView {
         }
         view! {
             <div class="columns">
-                {words::variants(app)}
+                {side::side(app)}
                 <section class="canvas" aria-label="Graph">
                     {tools(app)}
+                    {search::search(app)}
                     {move || if app.model.as_table.get() { table::table(app).into_any() } else { graph::graph(app).into_any() }}
+                    {draft::draft(app)}
+                    {text_pane::text_pane(app)}
                 </section>
                 {inspector::inspector(app)}
             </div>
@@ -44,8 +47,13 @@ fn tools(app: App) -> impl IntoView {
     };
     view! {
         <div class="tools" role="toolbar" aria-label="Drawing">
-            <div class="row">{button(app, "fit")} {short_button(app, "zoom-out", "−")} {short_button(app, "zoom-in", "+")} {short_button(app, "table", "Table")}</div>
-            <span class="hint">{size}</span>
+            <div class="row">
+                {icon_button(app, "undo", "↶")} {icon_button(app, "redo", "↷")}
+                {short_button(app, "fit", "Fit")} {short_button(app, "zoom-out", "−")} {short_button(app, "zoom-in", "+")}
+                {short_button(app, "tidy", "Tidy")} {short_button(app, "search", "Search")}
+                {short_button(app, "table", "Table")} {short_button(app, "text", "Text")}
+            </div>
+            <span class="hint size">{size}</span>
             <div class="row end">
                 <span class="hint" aria-hidden="true">"Export"</span>
                 {short_button(app, "export-json", "JSON")}

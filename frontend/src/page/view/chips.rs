@@ -1,11 +1,15 @@
 //! Small parts that many views use: buttons of commands, chips of sub-goals.
 
-use goalgraph::pdfa::Symbol;
+use goalgraph::edit::Edit;
+use goalgraph::pdfa::{StateId, Symbol};
 use leptos::prelude::*;
+use wasm_bindgen::JsCast;
+use web_sys::{HtmlElement, KeyboardEvent};
 
 use crate::page::commands::command;
 use crate::page::keys::shown;
-use crate::page::update::App;
+use crate::page::model::Selection;
+use crate::page::update::{Action, App};
 
 /// The button of the command `id`.
 pub(crate) fn button(app: App, id: &'static str) -> impl IntoView {
@@ -14,8 +18,8 @@ pub(crate) fn button(app: App, id: &'static str) -> impl IntoView {
             <button
                 type="button"
                 class="button"
-                class:primary=move || id == "open" || (id == "infer" && app.derived.outdated.get())
-                title=title(command.help, command.key)
+                class:primary=move || matches!(id, "open" | "apply") || (id == "infer" && app.derived.outdated.get())
+                title=title(command.help, command.keys)
                 disabled=move || !(command.enabled)(app)
                 on:click=move |_| (command.run)(app)
             >
@@ -33,7 +37,7 @@ pub(crate) fn icon_button(app: App, id: &'static str, sign: &'static str) -> imp
                 type="button"
                 class="icon-button"
                 aria-label=command.label
-                title=title(command.label, command.key)
+                title=title(command.label, command.keys)
                 disabled=move || !(command.enabled)(app)
                 on:click=move |_| (command.run)(app)
             >
@@ -43,8 +47,8 @@ pub(crate) fn icon_button(app: App, id: &'static str, sign: &'static str) -> imp
     })
 }
 
-fn title(text: &str, key: Option<&str>) -> String {
-    key.map_or_else(|| text.to_owned(), |key| format!("{text} ({})", shown(key)))
+fn title(text: &str, keys: &[&str]) -> String {
+    keys.first().map_or_else(|| text.to_owned(), |key| format!("{text} ({})", shown(key)))
 }
 
 /// A button of the command `id` that shows less than its whole label.
@@ -56,7 +60,7 @@ pub(crate) fn short_button(app: App, id: &'static str, text: &'static str) -> im
                 class="button"
                 class:primary={id == "open"}
                 aria-label=command.label
-                title=title(command.label, command.key)
+                title=title(command.label, command.keys)
                 disabled=move || !(command.enabled)(app)
                 on:click=move |_| (command.run)(app)
             >
@@ -64,6 +68,51 @@ pub(crate) fn short_button(app: App, id: &'static str, text: &'static str) -> im
             </button>
         }
     })
+}
+
+/// A button for edits: resting on it shows what they would do, pressing it begins them.
+pub(crate) fn edit_button(
+    app: App,
+    label: &'static str,
+    edits: impl Fn() -> Vec<Edit> + Clone + 'static,
+) -> impl IntoView {
+    let (enter, focus, begin) = (edits.clone(), edits.clone(), edits);
+    view! {
+        <button
+            type="button"
+            class="button"
+            on:pointerenter=move |_| app.act(Action::Consider(enter()))
+            on:pointerleave=move |_| app.act(Action::ConsiderNoMore)
+            on:focus=move |_| app.act(Action::Consider(focus()))
+            on:blur=move |_| app.act(Action::ConsiderNoMore)
+            on:click=move |_| app.act(Action::Begin(begin()))
+        >
+            {label}
+        </button>
+    }
+}
+
+/// A state to go to.
+pub(crate) fn to_state(app: App, id: StateId) -> impl IntoView {
+    let go = move |_| app.act(Action::Select(Some(Selection::State(id))));
+    view! { <button type="button" class="link" on:click=go>{id.to_string()}</button> }
+}
+
+/// Arrow keys go from tab to tab of `number` ones; `go` shows one and gives the id of its button.
+pub(crate) fn step_tabs(event: &KeyboardEvent, at: usize, number: usize, go: impl Fn(usize) -> String) {
+    let next = match event.key().as_str() {
+        "ArrowRight" => (at + 1) % number,
+        "ArrowLeft" => at.checked_sub(1).unwrap_or(number - 1),
+        "Home" => 0,
+        "End" => number - 1,
+        _ => return,
+    };
+    event.prevent_default();
+    let button = document().get_element_by_id(&go(next));
+    if let Some(button) = button.and_then(|button| button.dyn_into::<HtmlElement>().ok()) {
+        // An element of this page always takes the focus.
+        let _ = button.focus();
+    }
 }
 
 /// A sub-goal: its name on its color.

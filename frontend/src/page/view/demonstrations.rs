@@ -10,7 +10,7 @@ pub(crate) fn demonstrations(app: App) -> impl IntoView {
     view! {
         <div class="columns">
             {files::files(app)}
-            <section class="canvas scroll" aria-label="Recording">{tracks::tracks(app)}</section>
+            <section class="canvas scroll" tabindex="0" aria-label="Recording">{tracks::tracks(app)}</section>
             {settings::settings(app)}
         </div>
     }

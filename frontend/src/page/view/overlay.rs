@@ -5,7 +5,8 @@ use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::{HtmlElement, KeyboardEvent};
 
-use crate::page::commands::{COMMANDS, Command};
+use super::benchmark::benchmark;
+use crate::page::commands::{Command, GROUPS, commands};
 use crate::page::keys::shown;
 use crate::page::model::Overlay;
 use crate::page::update::{Action, App};
@@ -15,6 +16,7 @@ pub(crate) fn overlay(app: App) -> impl IntoView {
     move || match app.model.overlay.get() {
         None => None,
         Some(Overlay::Palette) => Some(dialog(app, "Commands", palette(app).into_any()).into_any()),
+        Some(Overlay::Benchmark) => Some(dialog(app, "Benchmark", benchmark().into_any()).into_any()),
         Some(Overlay::Help) => Some(dialog(app, "Help", help().into_any()).into_any()),
     }
 }
@@ -58,7 +60,7 @@ impl Entry {
 
     fn key(&self) -> Option<String> {
         match self {
-            Self::Command(command) => command.key.map(shown),
+            Self::Command(command) => command.keys.first().map(|key| shown(key)),
             Self::Sample(_) => None,
         }
     }
@@ -73,11 +75,11 @@ impl Entry {
 }
 
 fn entries(app: App, search: &str) -> Vec<Entry> {
-    let commands = COMMANDS.iter().filter(|command| (command.enabled)(app) && command.id != "palette");
+    let possible = commands().filter(|command| (command.enabled)(app) && command.id != "palette");
     let samples = app.model.samples.get().unwrap_or_default().into_iter().map(Entry::Sample);
     let words: Vec<String> = search.to_lowercase().split_whitespace().map(str::to_owned).collect();
     let fits = |entry: &Entry| words.iter().all(|word| entry.label().to_lowercase().contains(word));
-    commands.map(Entry::Command).chain(samples).filter(fits).collect()
+    possible.map(Entry::Command).chain(samples).filter(fits).collect()
 }
 
 fn palette(app: App) -> impl IntoView {
@@ -129,13 +131,22 @@ fn palette(app: App) -> impl IntoView {
 }
 
 fn help() -> impl IntoView {
-    let row = |command: &'static Command| {
+    let key = |key: &&'static str| view! { <kbd>{shown(key)}</kbd> " " };
+    let row = move |command: &'static Command| {
         view! {
             <tr>
                 <th scope="row">{command.label}</th>
                 <td>{command.help}</td>
-                <td>{command.key.map(|key| view! { <kbd>{shown(key)}</kbd> })}</td>
+                <td>{command.keys.iter().map(key).collect_view()}</td>
             </tr>
+        }
+    };
+    let group = move |(name, commands): &(&'static str, &'static [Command])| {
+        view! {
+            <tbody>
+                <tr><th scope="rowgroup" colspan="3" class="group">{*name}</th></tr>
+                {commands.iter().map(row).collect_view()}
+            </tbody>
         }
     };
     view! {
@@ -145,9 +156,9 @@ fn help() -> impl IntoView {
         </header>
         <table class="help">
             <thead><tr><th scope="col">"Command"</th><th scope="col">"What it does"</th><th scope="col">"Key"</th></tr></thead>
-            <tbody>{COMMANDS.iter().map(row).collect_view()}</tbody>
+            {GROUPS.iter().map(group).collect_view()}
         </table>
-        <p class="hint">"In the graph: drag to pan, turn the wheel to zoom, Tab to go through states and transitions, Enter to select."</p>
+        <p class="hint">"In the graph: drag the background to pan, with Shift to select; turn the wheel to zoom. Drag a state to pin it, onto another state to merge them. Drag the handle of a selected state to add a transition, that of a transition to move its end. Tab goes through states and transitions, Enter selects, with Shift more than one."</p>
     }
 }
 

@@ -6,8 +6,8 @@ use goalgraph::plan::{NoPlan, Plan, Strategy};
 use leptos::prelude::*;
 
 use super::chips::{chip, nothing_yet};
-use super::graph;
 use super::words::word;
+use super::{graph, simulate};
 use crate::page::update::{Action, App};
 
 /// Availability, the plan, and what is not there yet.
@@ -23,9 +23,15 @@ pub(crate) fn run(app: App) -> impl IntoView {
                 {availability(app)}
                 <section class="canvas" aria-label="Plan">
                     <div class="plan">{move || app.derived.plan.get().map(|plan| shown(app, plan))}</div>
+                    {simulate::walk(app)}
                     {graph::graph(app)}
                 </section>
-                {strategy(app)}
+                <aside class="inspector" aria-label="Simulation">
+                    {strategy(app)}
+                    {simulate::samples(app)}
+                    <h3>"Executors"</h3>
+                    <p class="hint">"None can connect yet. Robots will connect through a server with a relay; this page then shows them here."</p>
+                </aside>
             </div>
         }
         .into_any()
@@ -48,6 +54,7 @@ fn availability(app: App) -> impl IntoView {
             <header class="section-head"><h2>"Availability"</h2></header>
             <p class="hint">"Switch off what the robot cannot do now. The plan changes at once."</p>
             <ul class="switches">{switches}</ul>
+            {simulate::prospects(app)}
         </section>
     }
 }
@@ -124,14 +131,10 @@ fn strategy(app: App) -> impl IntoView {
         }
     };
     view! {
-        <aside class="inspector" aria-label="Strategy">
-            <fieldset>
-                <legend>"Strategy"</legend>
-                {option(Strategy::Greedy, "Greedy", "In every state the most probable available transition.")}
-                {option(Strategy::MostProbable, "Most probable", "The accepted word of highest probability as a whole.")}
-            </fieldset>
-            <h3>"Executors"</h3>
-            <p class="hint">"None can connect yet. Robots will connect through a server with a relay; this page then shows them here."</p>
-        </aside>
+        <fieldset>
+            <legend>"Strategy"</legend>
+            {option(Strategy::Greedy, "Greedy", "In every state the most probable available transition.")}
+            {option(Strategy::MostProbable, "Most probable", "The accepted word of highest probability as a whole.")}
+        </fieldset>
     }
 }

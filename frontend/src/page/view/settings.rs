@@ -50,7 +50,7 @@ fn method(app: App) -> impl IntoView {
         {choice(
             "Probabilities",
             [("ml", "Maximum likelihood"), ("published", "As published")],
-            move || if app.model.semantics.get() == Semantics::Published { "published" } else { "ml" },
+            move || if app.derived.semantics.get() == Semantics::Published { "published" } else { "ml" },
             move |value| {
                 let published = value == "published";
                 app.act(Action::ChooseSemantics(if published { Semantics::Published } else { Semantics::MaximumLikelihood }));

@@ -3,10 +3,10 @@
 use leptos::ev;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
-use web_sys::{DragEvent, HtmlElement, HtmlInputElement, KeyboardEvent};
+use web_sys::{DragEvent, HtmlInputElement, KeyboardEvent};
 
 use super::chips::{button, icon_button};
-use super::{automaton, demonstrations, overlay, run, start, sub_goals};
+use super::{automaton, chips, demonstrations, menu, overlay, run, start, sub_goals};
 use crate::page::commands::FILE_INPUT;
 use crate::page::model::{Overlay, Tab};
 use crate::page::update::{Action, App};
@@ -34,6 +34,7 @@ pub(crate) fn shell(app: App) -> impl IntoView {
         <div class="drop-overlay" class:shown=move || app.model.dragging.get() aria-hidden="true">
             <p>"Drop to open"</p>
         </div>
+        {menu::menu(app)}
         {overlay::overlay(app)}
         {hatch()}
     }
@@ -60,7 +61,8 @@ fn bar(app: App) -> impl IntoView {
                 class="task-name"
                 aria-label="Task name"
                 spellcheck="false"
-                prop:value=move || app.model.task_name.get()
+                dir="auto"
+                prop:value=move || app.derived.task_name.get()
                 on:change=move |event| app.act(Action::Name(event_target_value(&event)))
             />
             <div class="tabs" role="tablist" aria-label="Steps" on:keydown=move |event| step_tabs(app, &event)>
@@ -123,30 +125,20 @@ fn tab_button(app: App, tab: Tab) -> impl IntoView {
     }
 }
 
-/// Arrow keys go from tab to tab.
 fn step_tabs(app: App, event: &KeyboardEvent) {
     let at = Tab::ALL.iter().position(|tab| *tab == app.model.tab.get_untracked()).unwrap_or(0);
-    let last = Tab::ALL.len() - 1;
-    let next = match event.key().as_str() {
-        "ArrowRight" => (at + 1) % Tab::ALL.len(),
-        "ArrowLeft" => at.checked_sub(1).unwrap_or(last),
-        "Home" => 0,
-        "End" => last,
-        _ => return,
-    };
-    event.prevent_default();
-    app.act(Action::GoTo(Tab::ALL[next]));
-    let button = document().get_element_by_id(&tab_id(Tab::ALL[next]));
-    if let Some(button) = button.and_then(|button| button.dyn_into::<HtmlElement>().ok()) {
-        // An element of this page always takes the focus.
-        let _ = button.focus();
-    }
+    chips::step_tabs(event, at, Tab::ALL.len(), |next| {
+        app.act(Action::GoTo(Tab::ALL[next]));
+        tab_id(Tab::ALL[next])
+    });
 }
 
 fn panel(app: App) -> AnyView {
     match app.model.tab.get() {
         Tab::Demonstrations => {
-            let empty = Memo::new(move |_| app.model.files.with(Vec::is_empty));
+            let empty = Memo::new(move |_| {
+                app.model.files.with(Vec::is_empty) && app.derived.specification.with(Option::is_none)
+            });
             (move || {
                 if empty.get() {
                     start::start(app).into_any()

@@ -6,7 +6,8 @@ use goalgraph::specification::{Ball, Specification, SubGoal, SubsetParameters};
 use leptos::prelude::*;
 
 use super::chips::{chip, nothing_yet};
-use super::inspector::fact;
+use super::draft::draft;
+use super::inspector::{fact, sub_goal_editor as editor};
 use super::plot::{Disk, disks_view};
 use super::words::word;
 use crate::page::colors::subset_classes;
@@ -25,23 +26,23 @@ pub(crate) fn sub_goals(app: App) -> impl IntoView {
         view! {
             <div class="columns">
                 {subsets(app)}
-                <section class="canvas scroll" aria-label="Places">
+                <section class="canvas scroll" tabindex="0" aria-label="Places">
                     {move || places(app)}
                     <h2>"Words"</h2>
                     {move || words(app)}
                 </section>
-                <aside class="inspector" aria-label="Sub-goals">{move || found(app)}</aside>
+                <aside class="inspector" aria-label="Sub-goals">{draft(app)} {move || found(app)}</aside>
             </div>
         }
         .into_any()
     }
 }
 
-/// What the views of this tab are made of.
+/// What the views of this tab are made of; a specification that was opened was learned from nothing here.
 fn learned(app: App) -> Option<(Arc<Specification>, Arc<Outcome>)> {
     let outcome =
-        app.model.learned.with(|learned| learned.as_ref().map(|learned| Arc::clone(&learned.outcome)))?;
-    Some((app.derived.specification.get()?, outcome))
+        app.model.learned.with(|learned| learned.as_ref().map(|learned| Arc::clone(&learned.outcome)));
+    Some((app.derived.specification.get()?, outcome.unwrap_or_default()))
 }
 
 fn shown_subset(app: App, specification: &Specification) -> Option<SubsetParameters> {
@@ -183,7 +184,9 @@ impl Side<'_> {
 /// What was found in the subset on display.
 fn found(app: App) -> Option<impl IntoView> {
     let (specification, outcome) = learned(app)?;
-    let subset = shown_subset(app, &specification)?;
+    let Some(subset) = shown_subset(app, &specification) else {
+        return Some(without_places(app, &specification).into_any());
+    };
     let cards = of_subset(&specification, &subset.name).map(|(it, ball)| card(app, it, ball)).collect_view();
     let eliminated = outcome.eliminated.iter().filter(|cluster| cluster.subset == subset.name);
     let eliminated: Vec<_> = eliminated.map(|cluster| eliminated_card(app, cluster)).collect();
@@ -193,7 +196,17 @@ fn found(app: App) -> Option<impl IntoView> {
         <ul class="sub-goals">{cards}</ul>
         {(!eliminated.is_empty()).then(|| view! { <h3>"Eliminated (dashed)"</h3><ul class="sub-goals">{eliminated}</ul> })}
         {(!outcome.notes.is_empty()).then(|| view! { <h3>"Notes"</h3><ul class="problems">{notes}</ul> })}
-    })
+    }
+    .into_any())
+}
+
+/// Sub-goals that nobody recorded have a name and a color, but no place.
+fn without_places(app: App, specification: &Specification) -> impl IntoView + use<> {
+    let card = |sub_goal: &SubGoal| {
+        view! { <li class="sub-goal" data-sub-goal=sub_goal.id.to_string()><h3>{chip(app, sub_goal.id)}</h3> {editor(app, sub_goal.id)}</li> }
+    };
+    let cards = specification.sub_goals.iter().map(card).collect_view();
+    view! { <h2>"Sub-goals"</h2><p class="hint">"They have no places: their words were not recorded."</p><ul class="sub-goals">{cards}</ul> }
 }
 
 fn card(app: App, sub_goal: &SubGoal, ball: &Ball) -> impl IntoView + use<> {
@@ -206,6 +219,7 @@ fn card(app: App, sub_goal: &SubGoal, ball: &Ball) -> impl IntoView + use<> {
                 {fact("Frames", sub_goal.frames.to_string())}
                 {fact("Demonstrations", sub_goal.demonstrations.to_string())}
             </dl>
+            {editor(app, sub_goal.id)}
         </li>
     }
 }

@@ -56,7 +56,7 @@ fn state(
     let chips = state.completed.iter().map(|&symbol| view! { <li>{chip(app, symbol)}</li> }).collect_view();
     let selection = Selection::State(id);
     Some(view! {
-        <tr class:selected=move || app.model.selection.get() == Some(selection)>
+        <tr class:selected=move || app.model.selection.with(|it| it.contains(&selection))>
             <th scope="row">{select_button(app, selection, id.to_string())} {initial}</th>
             <td><ul class="word">{chips}</ul></td>
             <td>{if state.accepting { "yes" } else { "no" }}</td>
@@ -75,7 +75,7 @@ fn transition(
     let total = specification.pdfa.states.get(&source).map_or(0, words_through);
     let selection = Selection::Transition(source, symbol);
     view! {
-        <tr class:selected=move || app.model.selection.get() == Some(selection)>
+        <tr class:selected=move || app.model.selection.with(|it| it.contains(&selection))>
             <th scope="row">{select_button(app, selection, source.to_string())}</th>
             <td>{chip(app, symbol)}</td>
             <td>{transition.target.to_string()}</td>

@@ -37,7 +37,9 @@ pub(crate) fn tracks(app: App) -> impl IntoView {
             return view! { <p class="nothing">"Select a demonstration to see its recording."</p> }
                 .into_any();
         };
-        let charts = recording.subsets.iter().map(|subset| chart(&recording.track, subset)).collect_view();
+        let moment = app.model.moment.get();
+        let charts =
+            recording.subsets.iter().map(|subset| chart(&recording.track, subset, moment)).collect_view();
         let frames = count(recording.track.frames, "frame");
         view! {
             <header class="section-head"><h2>{name}</h2> <span class="hint">{frames}</span></header>
@@ -77,6 +79,7 @@ fn columns(subset: &SubsetRequest, features: &[Feature]) -> Vec<usize> {
 fn chart(
     track: &Track,
     RecordedSubset { name, axes, columns, class }: &RecordedSubset,
+    moment: Option<usize>,
 ) -> impl IntoView + use<> {
     let values = columns.iter().flat_map(|&column| track.column(column).flatten()).map(f64::from);
     let range = Range::of(values);
@@ -90,6 +93,10 @@ fn chart(
     });
     let label = format!("{name} over time");
     let (width, height) = CHART;
+    let moment = moment.map(|frame| {
+        let x = width * frame as f64 / track.frames.max(2) as f64;
+        view! { <path class="moment" d=format!("M{x:.1} 0V{height}")><title>{format!("frame {frame}")}</title></path> }
+    });
     view! {
         <figure class="chart">
             <figcaption>
@@ -104,6 +111,7 @@ fn chart(
             <svg class="chart-area" viewBox=format!("0 0 {width} {height}") preserveAspectRatio="none" role="img" aria-label=label>
                 {gaps(track, columns)}
                 {lines.collect_view()}
+                {moment}
             </svg>
         </figure>
     }

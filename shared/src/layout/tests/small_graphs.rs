@@ -117,3 +117,12 @@ fn edges_that_would_take_too_many_bends_run_straight() {
     let jumps = (0..150).map(|at| (at, 299));
     checked(&request(300, &chain.chain(jumps).collect::<Vec<_>>(), Direction::LeftToRight));
 }
+
+#[test]
+fn twelve_sub_goals_in_any_order_are_laid_out() {
+    let layout = layout(&lattice(12));
+    assert_eq!((layout.nodes.len(), layout.edges.len()), (4_096, 24_576));
+    assert!(layout.edges.iter().all(|edge| edge.arrow.direction.x > 0.0));
+    // Thirteen columns of at most 924 states.
+    assert!(layout.width < 8_000.0 && layout.height < 924.0 * 200.0, "{} x {}", layout.width, layout.height);
+}

@@ -1,0 +1,43 @@
+//! What was done, step by step; every step can be gone to.
+
+use goalgraph::history::{History, Mark};
+use leptos::prelude::*;
+
+use crate::page::update::{Action, App};
+use crate::page::view::chips::button;
+
+/// The steps, oldest first.
+pub(super) fn history(app: App) -> impl IntoView {
+    let steps = move || {
+        let read = |history: &History| {
+            let labels = std::iter::once("As learned or opened".to_owned()).chain(history.labels());
+            labels.enumerate().map(|(position, label)| step(app, history, position, label)).collect_view()
+        };
+        app.model.history.with(|history| history.as_ref().map(read))
+    };
+    view! {
+        <div class="row">{button(app, "undo")} {button(app, "redo")}</div>
+        <ol class="steps-done" aria-label="Steps">{steps}</ol>
+    }
+}
+
+fn step(app: App, history: &History, position: usize, label: String) -> impl IntoView + use<> {
+    let (present, undone) = (history.position() == position, position > history.position());
+    let saved = history.marked(Mark::Saved) == Some(position);
+    let approved = history.marked(Mark::Approved) == Some(position);
+    view! {
+        <li>
+            <button
+                type="button"
+                class="entry"
+                class:undone=undone
+                aria-current=present.then_some("step")
+                on:click=move |_| app.act(Action::Jump(position))
+            >
+                <span class="entry-name">{label}</span>
+                {saved.then(|| view! { <span class="tag">"saved"</span> })}
+                {approved.then(|| view! { <span class="tag">"approved"</span> })}
+            </button>
+        </li>
+    }
+}

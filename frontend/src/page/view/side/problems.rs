@@ -1,0 +1,53 @@
+//! What is wrong, each one click from its place, and from its fix where there is one.
+
+use goalgraph::fix::fix;
+use goalgraph::specification::{Place, Problem, Severity};
+use leptos::prelude::*;
+
+use crate::page::model::{Selection, Tab};
+use crate::page::update::{Action, App};
+use crate::page::view::chips::edit_button;
+use crate::page::view::graph;
+
+/// The list of problems.
+pub(super) fn problems(app: App) -> impl IntoView {
+    let none = move || app.derived.problems.with(Vec::is_empty);
+    view! {
+        {move || none().then(|| view! { <p class="fits">"Nothing is wrong."</p> })}
+        <ul class="problem-list">
+            <For
+                each=move || app.derived.problems.get()
+                key=|problem| format!("{:?}", problem.kind)
+                children=move |problem| row(app, &problem)
+            />
+        </ul>
+    }
+}
+
+fn row(app: App, problem: &Problem) -> impl IntoView + use<> {
+    let place = problem.place();
+    let error = problem.severity == Severity::Error;
+    let fixed = app.derived.specification.with(|it| fix(it.as_ref()?, problem, app.next_state()));
+    let fix_button = fixed.map(|transaction| edit_button(app, "Fix", move || transaction.edits.clone()));
+    view! {
+        <li class="problem" class:error=error>
+            <span class="problem-kind">{if error { "Error" } else { "Warning" }}</span>
+            <p>{problem.message.clone()}</p>
+            <div class="row">
+                <button type="button" class="button" on:click=move |_| go(app, &place)>"Show"</button>
+                {fix_button}
+            </div>
+        </li>
+    }
+}
+
+/// Goes to where a problem is.
+fn go(app: App, place: &Place) {
+    let item = match *place {
+        Place::State(id) => Selection::State(id),
+        Place::Transition(source, symbol, _) => Selection::Transition(source, symbol),
+        Place::SubGoal(_) => return app.act(Action::GoTo(Tab::SubGoals)),
+    };
+    app.act(Action::Select(Some(item)));
+    graph::show(app, &[item]);
+}
