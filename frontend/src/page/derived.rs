@@ -60,7 +60,9 @@ pub(crate) struct Derived {
     pub(crate) colors: Memo<Arc<BTreeMap<Symbol, Color>>>,
     /// Where it is drawn.
     pub(crate) picture: Memo<Option<Arc<Picture>>>,
-    /// Whether most states have no place yet, so that the worker must place them.
+    /// What was learned or opened last, before any edit.
+    pub(crate) learned: Memo<Option<Arc<Specification>>>,
+    /// Whether the worker has not placed it yet.
     pub(crate) untidy: Memo<bool>,
     /// What the edit that is thought of would do, or why it cannot be done.
     pub(crate) preview: Memo<Option<Result<Arc<Preview>, EditError>>>,
@@ -118,7 +120,12 @@ impl Derived {
         let plan_now =
             Memo::new(move |_| planned(present.get(), model.unavailable.get(), model.strategy.get()));
         let layout_request = Memo::new(move |_| Some(layout_request(&*specification.get()?)));
-        let (settled, picture) = pictures(model, layout_request);
+        let outdated_places = Memo::new(move |_| {
+            learned.get().is_some_and(|now| {
+                model.tidied.with(|it| it.of.as_ref().is_none_or(|of| !Arc::ptr_eq(of, &now)))
+            })
+        });
+        let picture = pictures(model, layout_request, outdated_places);
         let preview = Memo::new(move |_| previewed(model, &*specification.get()?));
         let variants = Memo::new(move |_| {
             let both = specification.get().zip(probabilities.get());
@@ -146,12 +153,8 @@ impl Derived {
                 Arc::new(specification.get().map(|it| colors::colors(&it)).unwrap_or_default())
             }),
             picture,
-            untidy: Memo::new(move |_| {
-                let Some(request) = layout_request.get() else { return false };
-                let unknown =
-                    settled.with(|it| it.as_ref().map_or(request.nodes.len(), |it| it.unknown(&request)));
-                2 * unknown > request.nodes.len()
-            }),
+            learned,
+            untidy: outdated_places,
             preview,
             marks: Memo::new(move |_| {
                 Arc::new(marks(specification, probabilities, preview).unwrap_or_default())
@@ -190,18 +193,28 @@ impl Derived {
 
 type PictureMemo = Memo<Option<Arc<Picture>>>;
 
-/// The picture without what is being dragged, and with it.
-fn pictures(model: &'static Model, request: Memo<Option<LayoutRequest>>) -> (PictureMemo, PictureMemo) {
+/// The picture with what is being dragged.
+fn pictures(
+    model: &'static Model,
+    request: Memo<Option<LayoutRequest>>,
+    outdated: Memo<bool>,
+) -> PictureMemo {
     let settled: PictureMemo = Memo::new(move |previous: Option<&Option<Arc<Picture>>>| {
         let (layout, tidied) = (request.get()?, model.tidied.get());
         let (held, frame) = (model.held.get(), model.frame.get());
-        let request = picture::PictureRequest { layout: &layout, tidied: &tidied, held: &held, frame };
+        let request = picture::PictureRequest {
+            layout: &layout,
+            tidied: &tidied,
+            outdated: outdated.get(),
+            held: &held,
+            frame,
+        };
         let previous = previous.and_then(Option::as_ref);
         let next = Picture::next(previous.map(|it| &**it), &request)?;
         // What is the same stays the same object, so that nothing is drawn again.
         Some(previous.filter(|it| ***it == next).cloned().unwrap_or_else(|| Arc::new(next)))
     });
-    let shown = Memo::new(move |_| {
+    Memo::new(move |_| {
         let settled = settled.get()?;
         let moving = model.moving.get();
         if moving.is_empty() {
@@ -210,8 +223,7 @@ fn pictures(model: &'static Model, request: Memo<Option<LayoutRequest>>) -> (Pic
         let mut held = model.held.get();
         held.extend(moving);
         Some(Arc::new(settled.with_moving(&request.get()?, &held)))
-    });
-    (settled, shown)
+    })
 }
 
 fn accepted(model: &Model, verdicts: &[(FileId, Verdict)]) -> Vec<(FileId, Arc<FileContent>)> {

@@ -9,6 +9,7 @@ use goalgraph::infer::{InferRequest, Method, Progress, RadiusRule};
 use goalgraph::layout::{Layout, Point};
 use goalgraph::pdfa::{Semantics, StateId, Symbol, Word};
 use goalgraph::plan::Strategy;
+use goalgraph::specification::Specification;
 use goalgraph::subset::SubsetRequest;
 use leptos::prelude::*;
 use serde::Deserialize;
@@ -173,6 +174,8 @@ pub(crate) enum TextPane {
 /// A placement of the whole automaton, asked for and given by the worker.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Tidied {
+    /// What had been learned or opened when it was asked for: a later one needs a placement of its own.
+    pub(crate) of: Option<Arc<Specification>>,
     /// How many were asked for.
     pub(crate) asked: u32,
     /// Which of them was answered last.

@@ -25,7 +25,7 @@ use web_sys::File;
 
 use super::autosave;
 use super::derived::Derived;
-use super::model::{Menu, Model, Notice, Overlay, Sample, Search, Selection, Side, Tab, TextPane};
+use super::model::{Menu, Model, Notice, Overlay, Sample, Search, Selection, Side, Tab, TextPane, Tidied};
 use super::samples;
 use super::theme::Theme;
 use super::view;
@@ -199,7 +199,7 @@ impl App {
         self.model.theme.get_untracked().apply();
         samples::list(self);
         autosave::start(self);
-        // Most of what is there has no place yet: something else was learned or opened.
+        // Something else was learned or opened.
         Effect::new(move |_| {
             let waiting = self.model.tidied.with(|tidied| tidied.asked != tidied.answered);
             if !waiting && self.derived.untidy.get() {
@@ -326,7 +326,8 @@ impl App {
     /// Has everything placed anew; what is held stays.
     fn tidy(self) {
         let Some(specification) = self.derived.specification.get_untracked() else { return };
-        self.model.tidied.update(|tidied| tidied.asked += 1);
+        let of = self.derived.learned.get_untracked();
+        self.model.tidied.update(|tidied| *tidied = Tidied { of, asked: tidied.asked + 1, ..tidied.clone() });
         self.post(&ToWorker::LayOut { specification: specification.to_json() }, None);
     }
 

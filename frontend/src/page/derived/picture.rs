@@ -29,6 +29,8 @@ pub(super) struct PictureRequest<'a> {
     pub(super) layout: &'a LayoutRequest,
     /// The worker's placements.
     pub(super) tidied: &'a Tidied,
+    /// Whether they are those of another automaton.
+    pub(super) outdated: bool,
     /// States that are to be at a place.
     pub(super) held: &'a BTreeMap<StateId, Point>,
     /// Width and height of the frame.
@@ -40,7 +42,7 @@ impl Picture {
     /// moves.
     pub(super) fn next(previous: Option<&Self>, request: &PictureRequest) -> Option<Self> {
         let tidied = request.tidied;
-        if tidied.asked != tidied.answered {
+        if request.outdated || tidied.asked != tidied.answered {
             return previous.cloned();
         }
         let fresh = previous.is_none_or(|previous| {
@@ -113,11 +115,6 @@ impl Picture {
     /// The arrow of a transition.
     pub(crate) fn edge(&self, source: StateId, symbol: Symbol) -> Option<&EdgePath> {
         self.layout.edges.get(*self.edges.get(&(source, symbol))?)
-    }
-
-    /// How many of `request`'s boxes were never placed.
-    pub(super) fn unknown(&self, request: &LayoutRequest) -> usize {
-        request.nodes.iter().filter(|node| !self.places.contains_key(&node.id)).count()
     }
 }
 

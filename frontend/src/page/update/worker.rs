@@ -8,7 +8,7 @@ use goalgraph::specification::Specification;
 use leptos::prelude::*;
 
 use super::App;
-use crate::page::model::{Basis, Inferring, Learned, Notice, Reading, Tab, Tidied};
+use crate::page::model::{Basis, Inferring, Learned, Notice, Reading, Tab};
 use crate::page::text::count;
 use crate::page::verdict::Verdict;
 use crate::page::view::graph;
@@ -43,7 +43,11 @@ impl App {
     pub(super) fn restart_worker(self) {
         self.model.inferring.set(None);
         // A placement that was asked for is never answered now.
-        self.model.tidied.update(|tidied| tidied.asked = tidied.answered);
+        self.model.tidied.update(|tidied| {
+            if tidied.asked != tidied.answered {
+                (tidied.asked, tidied.of) = (tidied.answered, None);
+            }
+        });
         let outside = self.outside.get_value();
         if let Some(link) = outside.link.get() {
             link.restart();
@@ -104,7 +108,10 @@ impl App {
             }
             FromWorker::LaidOut(Ok(layouts)) => {
                 let layouts = layouts.into_iter().map(Arc::new).collect();
-                model.tidied.update(|tidied| *tidied = Tidied { layouts, answered: tidied.asked, ..*tidied });
+                model.tidied.update(|tidied| {
+                    tidied.answered = tidied.asked;
+                    tidied.layouts = layouts;
+                });
                 graph::fit(self);
             }
             FromWorker::Opened { file, result } => self.opened(file, result),
