@@ -51,7 +51,9 @@ pub(crate) fn name_of(key: &str, code: &str, command_key: bool, shift: bool) -> 
 /// How a key is written for people: `Ctrl+K`.
 pub(crate) fn shown(key: &str) -> String {
     match key.rsplit_once('+') {
-        Some((modifier, letter)) if !letter.is_empty() => format!("{modifier}+{}", letter.to_uppercase()),
+        Some((modifier, letter)) if letter.chars().count() == 1 => {
+            format!("{modifier}+{}", letter.to_uppercase())
+        }
         _ if key.len() == 1 => key.to_uppercase(),
         _ => key.replace("Escape", "Esc"),
     }
@@ -92,8 +94,8 @@ mod tests {
     #[test]
     fn keys_are_shown_as_people_write_them() {
         assert_eq!(
-            ["Ctrl+k", "o", "Shift+1", "+", "Escape"].map(shown),
-            ["Ctrl+K", "O", "Shift+1", "+", "Esc"]
+            ["Ctrl+k", "o", "Shift+1", "+", "Escape", "Ctrl+Delete"].map(shown),
+            ["Ctrl+K", "O", "Shift+1", "+", "Esc", "Ctrl+Delete"]
         );
     }
 }

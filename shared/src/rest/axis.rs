@@ -1,13 +1,15 @@
 //! The direction in which things are put down.
 
 mod account;
+mod agreement;
 mod way;
 
 use std::collections::BTreeMap;
 
 use super::{Kind, Stay, SubsetRecording, SubsetStays};
-use crate::points::{Track, distance, mean, median};
+use crate::points::{Track, distance, median};
 use account::Account;
+use agreement::{Known, agreed_direction};
 use way::{Stop, Way, arrival, departure};
 
 /// The one direction in which a thing is put down, opposite to the one in which it is taken up.
@@ -25,18 +27,9 @@ const FEWEST_FEATURES: usize = 3;
 /// How closely arrivals and departures must agree: the length of the mean of those that agree at all.
 const AGREEMENT: f64 = 0.95;
 
-/// The share of arrivals and departures that must agree; where the axis accounts for the other stays as well; and where it
-/// is upright, of the arrivals and of the departures each: any more may slide.
+/// The share of arrivals and departures that must agree, and where the axis accounts for the other stays as well.
 const AGREEING: f64 = 0.6;
 const AGREEING_IF_ACCOUNTED: f64 = 0.85;
-const AGREEING_IF_UPRIGHT: f64 = 0.34;
-
-/// Cosine of the largest angle to one of the features at which an axis is upright, and how closely arrivals and departures
-/// must agree on it: most recordings have a feature that is height, and chance seldom points along one.
-const UPRIGHT: f64 = 0.995;
-
-/// Cosine of the largest angle between directions that agree.
-const SAME_DIRECTION: f64 = 0.75;
 
 /// How far from a dwell directions are looked for, as shares of the travel.
 const REACHES: [f64; 3] = [0.05, 0.1, 0.2];
@@ -168,13 +161,6 @@ fn places_shown(subsets: &[SubsetStays], members: &[usize]) -> usize {
     members.iter().map(places_of).sum()
 }
 
-/// A way of a thing that is known to be put down or taken up.
-struct Known {
-    /// The direction in which it comes, or against which it leaves.
-    down: Vec<f64>,
-    is_arrival: bool,
-}
-
 /// The ways on which a thing comes to where it is left alone, and those on which it leaves that or its start.
 fn downs(recording: &SubsetRecording, subset: &SubsetStays, reach: f64) -> Vec<Known> {
     let mut downs = Vec::new();
@@ -191,45 +177,6 @@ fn downs(recording: &SubsetRecording, subset: &SubsetStays, reach: f64) -> Vec<K
         }
     }
     downs
-}
-
-/// A direction on which ways agree.
-struct Agreed {
-    /// The mean of those that agree, as a unit vector.
-    down: Vec<f64>,
-    /// The share of the ways that agree.
-    part: f64,
-    /// How closely those do, from 0 to 1.
-    closeness: f64,
-}
-
-impl Agreed {
-    /// Whether it is along a feature, very closely, for some of the arrivals and of the departures: each kind alone agrees
-    /// with itself wherever a thing starts or ends at one place.
-    fn is_upright(&self, ways: &[Known]) -> bool {
-        let is_along_feature = self.down.iter().any(|x| x.abs() > UPRIGHT);
-        let is_shown_by = |is_arrival: bool| {
-            let of_kind: Vec<&Known> = ways.iter().filter(|way| way.is_arrival == is_arrival).collect();
-            let alike = of_kind.iter().filter(|way| dot(&way.down, &self.down) > SAME_DIRECTION).count();
-            alike as f64 > AGREEING_IF_UPRIGHT * of_kind.len() as f64
-        };
-        is_along_feature && self.closeness > UPRIGHT && is_shown_by(true) && is_shown_by(false)
-    }
-}
-
-/// The direction on which most ways agree.
-fn agreed_direction(ways: &[Known]) -> Option<Agreed> {
-    const CANDIDATES: usize = 64;
-    let alike = |a: &Known, b: &Known| dot(&a.down, &b.down) > SAME_DIRECTION;
-    let candidates = ways.iter().step_by(ways.len().div_ceil(CANDIDATES).max(1));
-    let best = candidates.max_by_key(|candidate| ways.iter().filter(|way| alike(way, candidate)).count())?;
-    let same: Vec<&[f64]> =
-        ways.iter().filter(|way| alike(way, best)).map(|way| way.down.as_slice()).collect();
-    let part = same.len() as f64 / ways.len() as f64;
-    let sum = mean(best.down.len(), same.into_iter());
-    let closeness = dot(&sum, &sum).sqrt();
-    let down = sum.iter().map(|x| x / closeness).collect();
-    (closeness > 0.0).then_some(Agreed { down, part, closeness })
 }
 
 /// For each way between two places where the thing is known to be left: how high it is lifted, by how far it is carried

@@ -38,7 +38,7 @@ fn row(app: App, variant: &Variant, whole: usize) -> impl IntoView + use<> {
     let number = variant.demonstrations.len();
     let (lit, light) = (variant.word.clone(), variant.word.clone());
     let is_lit = move || app.model.lit.with(|them| them.contains(&lit)).to_string();
-    let coverage = format!("{} with the more frequent ones", percent(variant.cumulative, whole));
+    let coverage = format!("{} cumulative", percent(variant.cumulative, whole));
     let verdict = verdict(app, variant.conformance);
     let fits = matches!(variant.conformance, Conformance::Accepted { .. });
     let (target, label) = (variant.word.clone(), if fits { "Forbid" } else { "Add" });
