@@ -69,6 +69,49 @@ test("a preview that is canceled leaves no trace", async ({ page }) => {
   await expect(page.getByRole("list", { name: "Steps" }).getByRole("listitem")).toHaveCount(1);
 });
 
+test("an edit that was begun with a button and canceled leaves no trace either", async ({ page }) => {
+  await openTower(page);
+  const before = await exported(page);
+  const forbid = page.locator(".variant").first().getByRole("button", { name: "Forbid" });
+  await forbid.focus();
+  await expect(preview(page), "the focus shows what it would do").toBeVisible();
+  await page.keyboard.press("Enter");
+  await expect(preview(page).getByRole("button", { name: "Apply" })).toBeFocused();
+  await preview(page).getByRole("button", { name: "Cancel the edit" }).click();
+  await expect(preview(page)).toHaveCount(0);
+  await expect(forbid).toBeFocused();
+  await expect(page.locator(".transition.going")).toHaveCount(0);
+  expect(await exported(page)).toBe(before);
+});
+
+test("several states are pruned and merged at once", async ({ page }) => {
+  await openTower(page);
+  await state(page, "q2").click();
+  await page.keyboard.press("]");
+  await expect(inspector(page)).toContainText("2 states selected");
+  await page.keyboard.press("Delete");
+  await expect(preview(page)).toContainText("Removes");
+  await page.keyboard.press("Enter");
+  await expect(page.locator("[data-state]")).toHaveCount(3);
+  await page.keyboard.press("Control+z");
+  await expect(page.locator("[data-state]")).toHaveCount(5);
+  await page.keyboard.press("Control+a");
+  await page.keyboard.press("Control+m");
+  await expect(preview(page)).toContainText("Folds");
+  await page.keyboard.press("Enter");
+  await expect(page.locator("[data-state]")).toHaveCount(1);
+});
+
+test("a step can be marked as approved, and an export marks it as saved", async ({ page }) => {
+  await openTower(page);
+  await exported(page);
+  await page.getByRole("tab", { name: "History" }).click();
+  await page.getByRole("button", { name: "Mark as approved" }).click();
+  const first = page.getByRole("list", { name: "Steps" }).getByRole("listitem").first();
+  await expect(first).toContainText("saved");
+  await expect(first).toContainText("approved");
+});
+
 test("a transition is reweighted by mouse, and the others give way", async ({ page }) => {
   await openTower(page);
   await state(page, "q0").click();
@@ -153,7 +196,7 @@ test("hostile names are names", async ({ page }) => {
 test("the work survives a reload, with its history and pinned states", async ({ page }) => {
   await openTower(page);
   await state(page, "q1").click();
-  await page.keyboard.press("a");
+  await inspector(page).getByLabel(/^Accepting/).click();
   await preview(page).getByRole("button", { name: "Apply" }).click();
   const from = await center(state(page, "q2"));
   await dragTo(page, from, { x: from.x + 60, y: from.y + 40 });
@@ -173,6 +216,26 @@ test("the work survives a reload, with its history and pinned states", async ({ 
   // The recordings are back as well: nothing has to be learned again.
   await page.getByRole("tab", { name: "Demonstrations" }).click();
   await expect(page.locator('[data-verdict="accepted"]')).toHaveCount(9);
+});
+
+test("work that was cleared, or replaced by a sample, can be brought back", async ({ page }) => {
+  await openTower(page);
+  await state(page, "q1").click();
+  await page.keyboard.press("a");
+  await preview(page).getByRole("button", { name: "Apply" }).click();
+  const before = await exported(page);
+  await page.keyboard.press("Control+k");
+  await page.keyboard.type("load sample: two stacks");
+  await page.keyboard.press("Enter");
+  await expect(page.locator("[data-state]")).toHaveCount(9);
+  await page.keyboard.press("Control+k");
+  await page.keyboard.type("bring back");
+  await page.keyboard.press("Enter");
+  await expect(page.locator("[data-state]")).toHaveCount(5);
+  expect(await exported(page)).toBe(before);
+  await page.keyboard.press("Control+z");
+  await page.getByRole("tab", { name: "History" }).click();
+  await expect(page.locator(".steps-done .undone")).toHaveCount(1);
 });
 
 test("saved work of another version is kept aside and said", async ({ page }) => {

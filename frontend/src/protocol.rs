@@ -53,6 +53,8 @@ pub enum ToWorker {
     LayOut {
         /// Its text.
         specification: String,
+        /// Which request this is; the answer has the same number.
+        number: u32,
     },
     /// Draw a specification as an SVG file.
     DrawSvg {
@@ -92,7 +94,12 @@ pub enum FromWorker {
         result: Result<String, String>,
     },
     /// Where everything is, in each direction of drawing.
-    LaidOut(Result<Vec<Layout>, String>),
+    LaidOut {
+        /// The number of the request.
+        number: u32,
+        /// The layouts, or why there are none.
+        result: Result<Vec<Layout>, String>,
+    },
     /// The SVG file.
     Svg(Result<String, String>),
 }

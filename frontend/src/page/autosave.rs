@@ -37,41 +37,70 @@ pub(crate) fn start(app: App) {
         match Store::open().await {
             Ok(store) => {
                 let store = Rc::new(store);
-                restore(app, &store).await;
-                app.model.restored.set(true);
-                watch(app, store);
+                if restore(app, &store).await {
+                    watch(app, store);
+                }
             }
-            // Without a database the app works as well; the work just ends with the page.
-            Err(_) => app.model.restored.set(true),
+            Err(_) => say_unkept(app),
         }
     });
 }
 
-async fn restore(app: App, store: &Store) {
+/// The app works without a database as well; the work just ends with the page.
+fn say_unkept(app: App) {
+    if !app.model.unkept.get_untracked() {
+        app.model.unkept.set(true);
+        let sentence =
+            "The browser has no room to keep this work: it ends with the page. Export what you need.";
+        app.act(Action::Say(Notice::alarm(sentence)));
+    }
+}
+
+/// Whether nothing is in the way of keeping what comes next.
+async fn restore(app: App, store: &Store) -> bool {
     let kept = store.get(Shelf::Work, WORK).await.ok().flatten().and_then(|text| text.as_string());
+    let mut safe = true;
     if let Some(text) = kept {
         match Saved::from_json(&text) {
             Ok((saved, history)) => {
                 let files = files(store, &saved.files).await;
-                put_back(app, saved, history, files);
+                let untouched = app.model.files.with_untracked(Vec::is_empty)
+                    && app.model.history.with_untracked(Option::is_none);
+                if untouched {
+                    put_back(app, saved, history, files);
+                } else {
+                    let why = "is not back: something else was opened before";
+                    safe = set_aside(app, store, &text, why).await;
+                }
             }
-            Err(reason) => set_aside(app, store, &text, &reason.to_string()).await,
+            Err(reason) => {
+                safe = set_aside(app, store, &text, &format!("cannot be read ({reason})")).await;
+            }
         }
     }
     let names = store.names(Shelf::Work).await.unwrap_or_default();
     app.model.aside.set(names.into_iter().filter(|name| name.starts_with(ASIDE)).collect());
+    safe
 }
 
-async fn set_aside(app: App, store: &Store, text: &str, reason: &str) {
+/// Whether the work is safe under another name.
+async fn set_aside(app: App, store: &Store, text: &str, reason: &str) -> bool {
     let name = format!("{ASIDE}{:.0}", js_sys::Date::now());
-    // Only what is safe under its new name leaves the old one.
-    if store.put(Shelf::Work, &name, &JsValue::from_str(text)).await.is_ok() {
-        let _ = store.delete(Shelf::Work, WORK).await;
+    if store.put(Shelf::Work, &name, &JsValue::from_str(text)).await.is_err() {
+        app.model.unkept.set(true);
+        let sentence = format!(
+            "The work of your last visit {reason}, and there is no room to keep it aside. Nothing new is kept until you reload."
+        );
+        app.act(Action::Say(Notice::alarm(sentence)));
+        return false;
     }
+    // It is there twice when this fails, which does no harm.
+    let _ = store.delete(Shelf::Work, WORK).await;
     let sentence = format!(
-        "The work of your last visit cannot be read ({reason}). It is kept aside: \"Save what was kept aside\" in the commands."
+        "The work of your last visit {reason}. It is kept aside: \"Save what was kept aside\" in the commands."
     );
     app.act(Action::Say(Notice::alarm(sentence)));
+    true
 }
 
 /// The recordings that are still there.
@@ -87,10 +116,6 @@ async fn files(store: &Store, names: &[String]) -> Vec<(String, File)> {
 }
 
 fn put_back(app: App, saved: Saved, history: Option<History>, files: Vec<(String, File)>) {
-    if !app.model.files.with_untracked(Vec::is_empty) {
-        // Somebody was quicker and has opened something.
-        return;
-    }
     let steps = history.as_ref().map(|history| history.labels().len());
     app.model.task_name.set(saved.task_name);
     app.model.held.set(saved.held);
@@ -117,6 +142,27 @@ fn put_back(app: App, saved: Saved, history: Option<History>, files: Vec<(String
             "Restored as you left it, with {}.",
             count(steps, "step")
         ))));
+    }
+}
+
+/// Work that was let go of, as long as the page is open.
+pub(crate) struct LetGo {
+    work: String,
+    files: Vec<(String, File)>,
+}
+
+/// The work as it is, to be brought back; none when there is none.
+pub(crate) fn let_go(app: App) -> Option<LetGo> {
+    let files = app.loaded_files();
+    let work = app.model.history.with_untracked(Option::is_some) || !files.is_empty();
+    work.then(|| LetGo { work: current(app).to_json(), files })
+}
+
+/// Brings work back that was let go of.
+pub(crate) fn bring_back(app: App, LetGo { work, files }: LetGo) {
+    // It was written by this program a moment ago.
+    if let Ok((saved, history)) = Saved::from_json(&work) {
+        put_back(app, saved, history, files);
     }
 }
 
@@ -153,11 +199,8 @@ async fn keep(app: App, store: &Store) {
         Ok(()) => keep_files(store, &files).await,
         refused => refused,
     };
-    if kept.is_err() && !app.model.unkept.get_untracked() {
-        app.model.unkept.set(true);
-        let sentence =
-            "The browser has no room to keep this work: it ends with the page. Export what you need.";
-        app.act(Action::Say(Notice::alarm(sentence)));
+    if kept.is_err() {
+        say_unkept(app);
     }
 }
 

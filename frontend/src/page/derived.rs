@@ -275,16 +275,14 @@ fn marks(
     Some(Marks::of(&*specification.get()?, &*probabilities.get()?, &preview))
 }
 
-/// Where the walk is: it ends early when an edit took its way.
+/// Where the walk is: as far as its steps still lead after an edit.
 fn present(model: &Model, specification: &Specification) -> Option<StateId> {
-    model.simulation.with(|walk| {
-        walk.on.then(|| {
-            let step = |state: StateId, &symbol: &Symbol| {
-                specification.pdfa.transition(state, symbol).map(|way| way.target)
-            };
-            walk.word.iter().try_fold(specification.pdfa.initial, step).unwrap_or(specification.pdfa.initial)
-        })
-    })
+    let pdfa = &specification.pdfa;
+    let reached = |word: &[Symbol]| {
+        let last = ways(pdfa, word).last().copied();
+        last.and_then(|(state, symbol)| pdfa.transition(state, symbol)).map_or(pdfa.initial, |way| way.target)
+    };
+    model.simulation.with(|walk| walk.on.then(|| reached(&walk.word)))
 }
 
 /// The plan, or what can be done meanwhile.

@@ -27,8 +27,8 @@ pub(crate) fn press(app: App, event: &KeyboardEvent) {
     if key == "Enter" && (!enabled || is_button(event)) {
         return;
     }
-    event.prevent_default();
     if enabled {
+        event.prevent_default();
         (command.run)(app);
     }
 }

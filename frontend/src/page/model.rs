@@ -1,21 +1,26 @@
 //! Ground state: what nothing else could tell. Whatever follows from it is in [`super::derived`].
 
+mod editing;
+mod looking;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use goalgraph::edit::{self, Edit};
+use goalgraph::edit;
 use goalgraph::history::History;
 use goalgraph::infer::{InferRequest, Method, Progress, RadiusRule};
-use goalgraph::layout::{Layout, Point};
+use goalgraph::layout::Point;
 use goalgraph::pdfa::{Semantics, StateId, Symbol, Word};
 use goalgraph::plan::Strategy;
-use goalgraph::specification::Specification;
 use goalgraph::subset::SubsetRequest;
 use leptos::prelude::*;
 use serde::Deserialize;
 
 use super::theme::Theme;
 use crate::protocol::{DemonstrationId, FileContent, FileId, Outcome, Track};
+
+pub(crate) use editing::{Draft, Gesture, Menu, MenuContent, Selection};
+pub(crate) use looking::{Search, Side, Simulation, TextPane, Tidied};
 
 /// What a task is called until somebody names it; the command line's default is the same.
 pub(crate) const UNTITLED: &str = "Untitled task";
@@ -111,159 +116,6 @@ pub(crate) struct Inferring {
     pub(crate) basis: Basis,
     /// How far it is.
     pub(crate) progress: Progress,
-}
-
-/// Something of the automaton that can be selected.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Selection {
-    /// A state.
-    State(StateId),
-    /// The transition by a symbol out of a state.
-    Transition(StateId, Symbol),
-}
-
-/// An edit that is thought of but not made: its consequence is shown, and nothing else happens.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Draft {
-    /// What the history will call it.
-    pub(crate) label: String,
-    /// What would be done.
-    pub(crate) edits: Vec<Edit>,
-    /// Whether somebody has begun it: then it waits for an answer. Otherwise a pointer or the focus only rests on it.
-    pub(crate) begun: bool,
-}
-
-/// The lists beside the graph.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Side {
-    /// Distinct words and conformance.
-    #[default]
-    Variants,
-    /// States that may be one.
-    Merges,
-    /// What is wrong.
-    Problems,
-    /// What was done.
-    History,
-}
-
-impl Side {
-    /// All lists, from left to right.
-    pub(crate) const ALL: [Self; 4] = [Self::Variants, Self::Merges, Self::Problems, Self::History];
-
-    /// The name on the list.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Variants => "Variants",
-            Self::Merges => "Merges",
-            Self::Problems => "Problems",
-            Self::History => "History",
-        }
-    }
-}
-
-/// The text beside the picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum TextPane {
-    /// Graphviz syntax.
-    Dot,
-    /// The specification file.
-    Json,
-}
-
-/// A placement of the whole automaton, asked for and given by the worker.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Tidied {
-    /// What had been learned or opened when it was asked for: a later one needs a placement of its own.
-    pub(crate) of: Option<Arc<Specification>>,
-    /// How many were asked for.
-    pub(crate) asked: u32,
-    /// Which of them was answered last.
-    pub(crate) answered: u32,
-    /// The answer, in each direction of drawing.
-    pub(crate) layouts: Vec<Arc<Layout>>,
-}
-
-/// A walk through the automaton.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Simulation {
-    /// Whether somebody walks at the moment.
-    pub(crate) on: bool,
-    /// The sub-goals completed so far.
-    pub(crate) word: Vec<Symbol>,
-    /// The seed of the words that are drawn.
-    pub(crate) seed: u64,
-}
-
-/// What is looked for in the automaton.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Search {
-    /// The text; none while the field is closed.
-    pub(crate) text: Option<String>,
-    /// Which of the hits is on display.
-    pub(crate) at: usize,
-}
-
-/// What a pointer that is held down does in the drawing. Places are in the frame.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Gesture {
-    /// It moves the drawing.
-    Pan {
-        /// Where the pointer was last.
-        last: Point,
-    },
-    /// It moves states.
-    Drag {
-        /// Where the pointer went down.
-        from: Point,
-        /// Where the states were, in the drawing space.
-        origins: BTreeMap<StateId, Point>,
-        /// The state below the pointer that is none of them.
-        over: Option<StateId>,
-    },
-    /// It draws a rectangle around what is to be selected.
-    Marquee {
-        /// Where the pointer went down.
-        from: Point,
-        /// Where it is.
-        to: Point,
-    },
-    /// It leads an arrow from a state to another.
-    Connect {
-        /// The state.
-        source: StateId,
-        /// The transition whose end is moved; none when a new one is drawn.
-        symbol: Option<Symbol>,
-        /// Where the pointer is.
-        to: Point,
-        /// The state below it.
-        over: Option<StateId>,
-    },
-}
-
-/// A menu and where it is in the window.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Menu {
-    /// From the left.
-    pub(crate) x: f64,
-    /// From the top.
-    pub(crate) y: f64,
-    /// What is in it.
-    pub(crate) content: MenuContent,
-}
-
-/// What a menu offers.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum MenuContent {
-    /// The commands for what is selected.
-    Commands,
-    /// The sub-goals that a new transition can have.
-    Symbols {
-        /// Where it starts.
-        source: StateId,
-        /// Where it leads.
-        target: StateId,
-    },
 }
 
 /// What lies over the page.
@@ -388,8 +240,8 @@ pub(crate) struct Model {
     pub(crate) notice: RwSignal<Notice>,
     /// Samples that the server offers; none until it answered.
     pub(crate) samples: RwSignal<Option<Vec<Sample>>>,
-    /// Whether the work of the last visit is back, or there was none.
-    pub(crate) restored: RwSignal<bool>,
+    /// Whether there is something that was cleared and can be brought back.
+    pub(crate) can_bring_back: RwSignal<bool>,
     /// Whether the browser refuses to keep the work.
     pub(crate) unkept: RwSignal<bool>,
     /// Names of earlier work that cannot be read.
@@ -440,7 +292,7 @@ impl Model {
             dragging: RwSignal::default(),
             notice: RwSignal::default(),
             samples: RwSignal::default(),
-            restored: RwSignal::default(),
+            can_bring_back: RwSignal::default(),
             unkept: RwSignal::default(),
             aside: RwSignal::default(),
             theme: RwSignal::new(Theme::stored()),

@@ -19,11 +19,16 @@ pub(crate) fn list(app: App) {
 
 /// Puts a sample in the place of whatever is loaded.
 pub(crate) fn load(app: App, sample: Sample) {
-    app.act(Action::Clear);
+    let load = app.next_load();
     app.act(Action::Say(Notice::calm(format!("Loading {}", sample.title))));
     spawn_local(async move {
-        match files(&sample).await {
+        let loaded = files(&sample).await;
+        if !app.is_last_load(load) {
+            return;
+        }
+        match loaded {
             Ok(files) => {
+                app.act(Action::Clear);
                 app.act(Action::Name(sample.title));
                 app.act(Action::Open(files));
             }

@@ -1,5 +1,6 @@
 //! Whatever changes the ground state: actions from gestures, answers from the worker.
 
+mod action;
 mod edit;
 mod files;
 mod open;
@@ -12,147 +13,23 @@ use std::cell::{Cell, OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use goalgraph::edit::{self as engine, Edit};
-use goalgraph::export::ExportFormat;
-use goalgraph::history::History;
-use goalgraph::infer::{Method, RadiusRule};
-use goalgraph::layout::Point;
-use goalgraph::pdfa::{Semantics, StateId, Symbol, Word};
-use goalgraph::plan::Strategy;
-use goalgraph::subset::SubsetRequest;
+use goalgraph::edit::{Edit, MAX_NAME};
+use goalgraph::history::{History, Mark};
+use goalgraph::pdfa::Semantics;
 use leptos::prelude::*;
 use web_sys::File;
 
 use super::autosave;
 use super::derived::Derived;
-use super::model::{Menu, Model, Notice, Overlay, Sample, Search, Selection, Side, Tab, TextPane, Tidied};
+use super::model::{Model, Notice, Search, Tidied};
 use super::samples;
 use super::theme::Theme;
 use super::view;
 use super::worker_link::WorkerLink;
-use crate::protocol::{DemonstrationId, FileId, ToWorker};
+use crate::protocol::{FileId, ToWorker};
 
+pub(crate) use action::Action;
 pub(crate) use select::Flow;
-
-/// What a gesture means.
-#[derive(Clone, Debug)]
-pub(crate) enum Action {
-    /// Take these files.
-    Open(Vec<(String, File)>),
-    /// Let go of a file.
-    Remove(FileId),
-    /// Read a file whose reading was canceled.
-    ReadAgain(FileId),
-    /// Load a sample that comes with the app.
-    LoadSample(Sample),
-    /// Let go of everything.
-    Clear,
-    /// Infer from what is there.
-    Infer,
-    /// Stop what the worker does.
-    Cancel,
-    /// Name the task.
-    Name(String),
-    /// Search other subsets; none for the engine's proposal.
-    ChooseSubsets(Option<Vec<SubsetRequest>>),
-    /// Take an eliminated cluster for a sub-goal all the same.
-    Restore {
-        /// Name of its subset.
-        subset: String,
-        /// Its center.
-        center: Vec<f64>,
-    },
-    /// Cluster other frames.
-    ChooseMethod(Method),
-    /// Size balls in another way.
-    ChooseRadius(RadiusRule),
-    /// Read weights in another way.
-    ChooseSemantics(Semantics),
-    /// Choose plans in another way.
-    ChooseStrategy(Strategy),
-    /// Show a demonstration.
-    Show(DemonstrationId),
-    /// Show the demonstration at this position of the specification, at a frame.
-    ShowNamed(usize, Option<usize>),
-    /// Show a subset.
-    ShowSubset(usize),
-    /// Show a tab.
-    GoTo(Tab),
-    /// Select in the automaton, alone.
-    Select(Option<Selection>),
-    /// Select more, or less.
-    ToggleSelected(Selection),
-    /// Select all of these.
-    SelectAll(Vec<Selection>),
-    /// Select what leads to the selected states, or what they lead to.
-    SelectFlow(Flow),
-    /// Show what these edits would do, while a pointer or the focus rests on them.
-    Consider(Vec<Edit>),
-    /// Stop showing it.
-    ConsiderNoMore,
-    /// Begin these edits: show what they would do, and wait for an answer.
-    Begin(Vec<Edit>),
-    /// Make the edits that were begun.
-    Apply,
-    /// Forget them.
-    CancelDraft,
-    /// Make these edits at once, under this name or that of the first.
-    Edit(Option<String>, Vec<Edit>),
-    /// Undo the last transaction.
-    Undo,
-    /// Make it again.
-    Redo,
-    /// Go to this place in the history.
-    Jump(usize),
-    /// Do not propose this merge again.
-    Veto(StateId, StateId),
-    /// Let an outcome keep its share while others are reweighted, or not.
-    Lock(StateId, engine::Outcome, bool),
-    /// Put states somewhere while they are dragged; with none the drag is over and nothing came of it.
-    Move(BTreeMap<StateId, Point>),
-    /// Let the dragged states stay where they are.
-    Drop,
-    /// Let states go to where the layout puts them.
-    Unpin(Vec<StateId>),
-    /// Place everything anew.
-    Tidy,
-    /// Light up the way of a word, or let it go out.
-    Light(Word),
-    /// Hide transitions that are less probable from view.
-    HideBelow(f64),
-    /// Show a list beside the graph.
-    ShowSide(Side),
-    /// Show a text beside the graph.
-    ShowText(Option<TextPane>),
-    /// Look for something.
-    Search(Option<String>),
-    /// Go to the next hit, or by a negative number to an earlier one.
-    NextHit(isize),
-    /// Show a menu.
-    Menu(Option<Menu>),
-    /// Break off what the pointer does.
-    Abort,
-    /// Begin or end a walk.
-    Walk(bool),
-    /// Complete a sub-goal on the walk.
-    Step(Symbol),
-    /// Go back to after so many steps.
-    StepBack(usize),
-    /// Draw words from another seed.
-    Seed(u64),
-    /// Show the automaton as a table or as a graph.
-    ToggleTable,
-    /// Say that a sub-goal is available, or not.
-    SetAvailable(Symbol, bool),
-    /// Lay something over the page, or take it away.
-    Overlay(Option<Overlay>),
-    /// Change between light and dark.
-    ToggleTheme,
-    /// Save the specification.
-    Export(ExportFormat),
-    /// Say a sentence.
-    Say(Notice),
-}
 
 /// The app: its state and its line to the worker. A handle.
 #[derive(Clone, Copy)]
@@ -169,7 +46,9 @@ pub(crate) struct App {
 struct Outside {
     link: OnceCell<WorkerLink>,
     files: RefCell<BTreeMap<FileId, File>>,
+    let_go: RefCell<Option<autosave::LetGo>>,
     next_file: Cell<u32>,
+    loads: Cell<u32>,
 }
 
 impl Notice {
@@ -217,6 +96,7 @@ impl App {
             Action::ReadAgain(id) => self.read(id),
             Action::LoadSample(sample) => samples::load(self, sample),
             Action::Clear => self.clear(),
+            Action::BringBack => self.bring_back(),
             Action::Infer => self.infer(),
             Action::Cancel => self.cancel(),
             Action::Name(name) => self.name(name),
@@ -242,6 +122,7 @@ impl App {
             Action::Edit(label, edits) => self.edit(label, edits),
             Action::Undo => self.travel(History::undo),
             Action::Redo => self.travel(History::redo),
+            Action::MarkApproved => self.mark(Mark::Approved),
             Action::Jump(position) => self.travel(|history| {
                 history.jump(position);
                 true
@@ -311,7 +192,7 @@ impl App {
                 self.edit(None, vec![Edit::RenameTask { name }]);
             }
             Some(_) => {}
-            None => self.model.task_name.set(name),
+            None => self.model.task_name.set(name.chars().take(MAX_NAME).collect()),
         }
     }
 
@@ -327,8 +208,9 @@ impl App {
     fn tidy(self) {
         let Some(specification) = self.derived.specification.get_untracked() else { return };
         let of = self.derived.learned.get_untracked();
-        self.model.tidied.update(|tidied| *tidied = Tidied { of, asked: tidied.asked + 1, ..tidied.clone() });
-        self.post(&ToWorker::LayOut { specification: specification.to_json() }, None);
+        let number = self.model.tidied.with_untracked(|tidied| tidied.asked + 1);
+        self.model.tidied.update(|tidied| *tidied = Tidied { of, asked: number, ..tidied.clone() });
+        self.post(&ToWorker::LayOut { specification: specification.to_json(), number }, None);
     }
 
     /// The drag is over: what was moved is held from now on.
@@ -343,6 +225,10 @@ impl App {
         if hits.is_empty() {
             return;
         }
+        let shown = hits.get(self.model.search.with_untracked(|search| search.at)).copied();
+        let is_shown = self.model.selection.with_untracked(|selection| selection.last().copied() == shown);
+        // The first hit is gone to before the second.
+        let step = if is_shown || step < 0 { step } else { 0 };
         self.model.search.update(|search| {
             let next = (search.at.cast_signed() + step).rem_euclid(hits.len().cast_signed());
             search.at = next.cast_unsigned();
@@ -355,6 +241,18 @@ impl App {
     fn set_theme(self, theme: Theme) {
         self.model.theme.set(theme);
         theme.apply();
+    }
+
+    /// A number for a sample that is about to be loaded: of several only the last is wanted.
+    pub(crate) fn next_load(self) -> u32 {
+        let outside = self.outside.get_value();
+        outside.loads.set(outside.loads.get() + 1);
+        outside.loads.get()
+    }
+
+    /// Whether no other sample was asked for since.
+    pub(crate) fn is_last_load(self, load: u32) -> bool {
+        self.outside.get_value().loads.get() == load
     }
 
     /// The recordings that are loaded, as the browser has them, by name.

@@ -55,7 +55,9 @@ impl Recordings {
                     answer(FromWorker::Track { demonstration, track });
                 }
             }
-            ToWorker::LayOut { specification } => answer(FromWorker::LaidOut(layouts(&specification))),
+            ToWorker::LayOut { specification, number } => {
+                answer(FromWorker::LaidOut { number, result: layouts(&specification) });
+            }
             ToWorker::DrawSvg { specification } => answer(FromWorker::Svg(svg(&specification))),
         }
     }

@@ -1,6 +1,10 @@
 //! Commands that change the automaton. What has a consequence is begun here and made once it was seen.
 
+use std::collections::BTreeMap;
+
 use goalgraph::edit::{Edit, Pruned};
+use goalgraph::pdfa::StateId;
+use goalgraph::specification::{Severity, Specification};
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::HtmlElement;
@@ -29,6 +33,15 @@ pub(super) const COMMANDS: &[Command] = &[
             app.model.history.with(|it| it.as_ref().is_some_and(|it| it.position() < it.labels().len()))
         },
         run: |app| app.act(Action::Redo),
+    },
+    Command {
+        id: "mark-approved",
+        label: "Mark as approved",
+        help: "Mark the present step of the history as approved; not while there are errors.",
+        keys: &[],
+        in_menu: false,
+        enabled: |app| has_automaton(app) && !has_errors(app),
+        run: |app| app.act(Action::MarkApproved),
     },
     Command {
         id: "merge",
@@ -117,7 +130,9 @@ pub(super) const COMMANDS: &[Command] = &[
         help: "Make the edit that is shown.",
         keys: &["Enter"],
         in_menu: false,
-        enabled: |app| is_begun(app) && app.derived.preview.with(|it| matches!(it, Some(Ok(_)))),
+        enabled: |app| {
+            is_begun(app) && is_seen(app) && app.derived.preview.with(|it| matches!(it, Some(Ok(_))))
+        },
         run: |app| app.act(Action::Apply),
     },
     Command {
@@ -140,7 +155,7 @@ pub(super) const COMMANDS: &[Command] = &[
     },
 ];
 
-fn states(app: App) -> Vec<goalgraph::pdfa::StateId> {
+fn states(app: App) -> Vec<StateId> {
     let state = |item: &Selection| match item {
         Selection::State(id) => Some(*id),
         Selection::Transition(..) => None,
@@ -156,19 +171,64 @@ fn is_begun(app: App) -> bool {
     app.model.draft.with(|draft| draft.as_ref().is_some_and(|it| it.begun))
 }
 
-fn merge(app: App) {
-    if let Some((&kept, others)) = untrack(|| states(app)).split_first() {
-        let merge = |&merged| Edit::MergeStates { kept, merged };
-        app.act(Action::Begin(others.iter().map(merge).collect()));
-    }
+fn has_errors(app: App) -> bool {
+    app.derived.problems.with(|problems| problems.iter().any(|it| it.severity == Severity::Error))
 }
 
+/// A preview is seen on these tabs only.
+fn is_seen(app: App) -> bool {
+    matches!(app.model.tab.get(), Tab::Automaton | Tab::SubGoals)
+}
+
+/// All of the others into the first; what an earlier merge has folded in already is left out.
+fn merge(app: App) {
+    let Some(specification) = app.derived.specification.get_untracked() else { return };
+    let states = untrack(|| states(app));
+    let Some((&kept, others)) = states.split_first() else { return };
+    let mut after = Specification::clone(&specification);
+    let (mut edits, mut stays) = (Vec::new(), kept);
+    let mut folded: BTreeMap<StateId, StateId> = BTreeMap::new();
+    for &other in others {
+        let merged = *folded.get(&other).unwrap_or(&other);
+        if merged == stays {
+            continue;
+        }
+        let edit = Edit::MergeStates { kept: stays, merged };
+        // A refusal is seen in the preview.
+        if let Ok(change) = edit.apply(&mut after) {
+            for into in folded.values_mut() {
+                *into = *change.folded.get(into).unwrap_or(into);
+            }
+            stays = *change.folded.get(&stays).unwrap_or(&stays);
+            folded.extend(change.folded);
+        }
+        edits.push(edit);
+    }
+    app.act(Action::Begin(edits));
+}
+
+/// What an earlier one has taken along is left out.
 fn prune(app: App, ways: Pruned) {
+    let Some(specification) = app.derived.specification.get_untracked() else { return };
+    let mut after = Specification::clone(&specification);
+    let mut edits = Vec::new();
     let edit = |item: Selection| match item {
         Selection::State(state) => Edit::PruneState { state, ways },
         Selection::Transition(source, symbol) => Edit::PruneTransition { source, symbol, ways },
     };
-    app.act(Action::Begin(app.model.selection.get_untracked().into_iter().map(edit).collect()));
+    for item in app.model.selection.get_untracked() {
+        let there = match item {
+            Selection::State(id) => after.pdfa.states.contains_key(&id),
+            Selection::Transition(source, symbol) => after.pdfa.transition(source, symbol).is_some(),
+        };
+        if there {
+            let edit = edit(item);
+            // A refusal is seen in the preview.
+            let _ = edit.apply(&mut after);
+            edits.push(edit);
+        }
+    }
+    app.act(Action::Begin(edits));
 }
 
 /// All of them become what most of them are not.

@@ -83,8 +83,17 @@ pub(super) const COMMANDS: &[Command] = &[
         help: "Let go of all files and results.",
         keys: &[],
         in_menu: false,
-        enabled: has_files,
+        enabled: |app| has_files(app) || has_automaton(app),
         run: |app| app.act(Action::Clear),
+    },
+    Command {
+        id: "bring-back",
+        label: "Bring back",
+        help: "Bring back the work that was cleared last, or that a sample took the place of.",
+        keys: &[],
+        in_menu: false,
+        enabled: |app| app.model.can_bring_back.get(),
+        run: |app| app.act(Action::BringBack),
     },
     Command {
         id: "save-aside",

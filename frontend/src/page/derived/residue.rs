@@ -55,7 +55,8 @@ impl Residue {
         let unseen = pdfa.transitions().filter(|(source, _, _)| residue.states.contains(source));
         residue.transitions.extend(unseen.map(|(source, symbol, _)| (source, symbol)));
         let shown = |word: &&Vec<Symbol>| {
-            super::ways(pdfa, word).iter().all(|way| !residue.transitions.contains(way))
+            let ways = super::ways(pdfa, word);
+            ways.len() == word.len() && ways.iter().all(|way| !residue.transitions.contains(way))
         };
         residue.covered = specification.demonstrations.iter().map(|it| &it.word).filter(shown).count();
         residue

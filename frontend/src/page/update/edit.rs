@@ -1,5 +1,7 @@
 //! Edits: thought of, made, undone.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use goalgraph::edit::Edit;
 use goalgraph::history::{History, Mark, Transaction};
 use goalgraph::pdfa::{StateId, Symbol};
@@ -17,8 +19,8 @@ impl App {
         if edits.is_empty() || (waiting && !begun) {
             return;
         }
-        if begun && self.model.tab.get_untracked() == Tab::Run {
-            // There the picture shows a walk, not what an edit would do.
+        if begun && !matches!(self.model.tab.get_untracked(), Tab::Automaton | Tab::SubGoals) {
+            // Only there it is seen what the edit would do.
             self.model.tab.set(Tab::Automaton);
         }
         let label = label.unwrap_or_else(|| label_of(&edits, &specification));
@@ -42,6 +44,8 @@ impl App {
     /// Makes `edits` at once.
     pub(super) fn edit(self, label: Option<String>, edits: Vec<Edit>) {
         let Some(specification) = self.derived.specification.get_untracked() else { return };
+        // The preview of another edit that waits says nothing of this one.
+        self.model.draft.set(None);
         let label = label.unwrap_or_else(|| label_of(&edits, &specification));
         self.commit(Transaction { label, edits });
     }
@@ -54,6 +58,7 @@ impl App {
 
     /// The frame in which a demonstration completed a sub-goal, where it was recorded.
     pub(crate) fn completed_in(self, demonstration: usize, symbol: Symbol) -> Option<usize> {
+        self.recording(demonstration)?;
         self.model.learned.with(|learned| {
             let completed = learned.as_ref()?.outcome.completed.get(demonstration)?;
             let at = completed.word.iter().position(|it| *it == symbol)?;
@@ -87,7 +92,7 @@ impl App {
     }
 
     /// What is selected and gone is not selected any more; what was folded is selected as what it is part of now.
-    fn follow_selection(self, folded: &std::collections::BTreeMap<StateId, StateId>) {
+    fn follow_selection(self, folded: &BTreeMap<StateId, StateId>) {
         let Some(specification) = self.derived.specification.get_untracked() else { return };
         let into = |id: StateId| *folded.get(&id).unwrap_or(&id);
         let mut next = Vec::new();
@@ -101,7 +106,6 @@ impl App {
             }
         }
         self.model.selection.set(next);
-        self.model.held.update(|held| held.retain(|id, _| specification.pdfa.states.contains_key(id)));
     }
 
     /// Goes one step back or on in the history, or to a place in it.
@@ -115,7 +119,7 @@ impl App {
                 moved = Some((before, history.position(), history.labels()));
             }
         });
-        self.follow_selection(&std::collections::BTreeMap::new());
+        self.follow_selection(&BTreeMap::new());
         let Some((before, after, labels)) = moved else { return };
         let named = |step: usize| labels.get(step).cloned().unwrap_or_default();
         self.say(Notice::calm(match () {
@@ -125,11 +129,11 @@ impl App {
         }));
     }
 
-    /// Says in the history that what is there now was saved.
-    pub(super) fn mark_saved(self) {
+    /// Marks the present place in the history.
+    pub(super) fn mark(self, mark: Mark) {
         self.model.history.update(|history| {
             if let Some(history) = history {
-                history.mark(Mark::Saved);
+                history.mark(mark);
             }
         });
     }
@@ -141,7 +145,22 @@ impl App {
             return;
         }
         let edit = Edit::Replace { specification: specification.to_json() };
+        self.forget_looks();
         self.commit(Transaction { label, edits: vec![edit] });
+    }
+}
+
+impl App {
+    /// Forgets what names states and sub-goals of the present automaton, when another one takes its place.
+    fn forget_looks(self) {
+        let model = self.model;
+        model.held.set(BTreeMap::new());
+        model.vetoed.update(BTreeSet::clear);
+        model.locked.update(BTreeSet::clear);
+        model.lit.update(BTreeSet::clear);
+        model.unavailable.update(BTreeSet::clear);
+        model.selection.set(Vec::new());
+        model.simulation.update(|walk| walk.on = false);
     }
 }
 

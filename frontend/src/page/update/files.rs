@@ -6,6 +6,7 @@ use leptos::prelude::*;
 use web_sys::File;
 
 use super::App;
+use crate::page::autosave;
 use crate::page::model::{
     Basis, LoadedFile, Model, Notice, Reading, Search, Settings, Simulation, Tab, Tidied, UNTITLED,
 };
@@ -68,6 +69,10 @@ impl App {
         if self.model.inferring.get_untracked().is_some() || self.derived.reading.get_untracked() {
             self.restart_worker();
         }
+        if let Some(work) = autosave::let_go(self) {
+            self.outside.get_value().let_go.replace(Some(work));
+            self.model.can_bring_back.set(true);
+        }
         let ids: Vec<FileId> =
             self.model.files.with_untracked(|files| files.iter().map(|file| file.id).collect());
         for id in ids {
@@ -77,7 +82,15 @@ impl App {
         self.model.settings.set(Settings::default());
         self.drop_learned();
         self.model.tab.set(Tab::Demonstrations);
-        self.say(Notice::calm("Everything is cleared."));
+        self.say(Notice::calm("Everything is cleared. \"Bring back\" in the commands undoes it."));
+    }
+
+    /// Brings back what was cleared last; what is there now can be brought back after that.
+    pub(super) fn bring_back(self) {
+        let Some(work) = self.outside.get_value().let_go.take() else { return };
+        self.model.can_bring_back.set(false);
+        self.clear();
+        autosave::bring_back(self, work);
     }
 
     fn drop_learned(self) {
@@ -87,7 +100,11 @@ impl App {
         model.draft.set(None);
         model.vetoed.update(BTreeSet::clear);
         model.locked.update(BTreeSet::clear);
-        model.tidied.set(Tidied::default());
+        model.tidied.update(|tidied| {
+            // An answer that is still to come is of something that is gone.
+            let asked = tidied.asked + 1;
+            *tidied = Tidied { asked, answered: asked, ..Tidied::default() };
+        });
         model.held.set(BTreeMap::new());
         model.viewport.set(None);
         model.selection.set(Vec::new());
@@ -139,13 +156,22 @@ impl App {
         self.post(&ToWorker::Track { demonstration }, None);
     }
 
-    /// Shows the demonstration at a position of the specification, which has them in the order of the accepted files.
-    pub(super) fn show_named(self, index: usize, frame: Option<usize>) {
-        let accepted = self.derived.accepted.get_untracked();
-        let all = accepted.iter().flat_map(|(file, content)| {
-            (0..content.demonstrations.len()).map(|index| DemonstrationId { file: *file, index })
+    /// The recording of the demonstration at a position of the specification, where it is loaded: what was learned has
+    /// them in the order of the accepted files.
+    pub(crate) fn recording(self, index: usize) -> Option<DemonstrationId> {
+        let specification = self.derived.specification.get()?;
+        let accepted = self.derived.accepted.get();
+        let mut all = accepted.iter().flat_map(|(file, content)| {
+            let entries = content.demonstrations.iter().enumerate();
+            entries.map(|(index, entry)| (DemonstrationId { file: *file, index }, &entry.name))
         });
-        match all.clone().nth(index) {
+        let (id, name) = all.nth(index)?;
+        (*name == specification.demonstrations.get(index)?.name).then_some(id)
+    }
+
+    /// Shows the demonstration at a position of the specification.
+    pub(super) fn show_named(self, index: usize, frame: Option<usize>) {
+        match untrack(|| self.recording(index)) {
             Some(demonstration) => {
                 self.show(demonstration);
                 self.model.moment.set(frame);

@@ -10,9 +10,12 @@ use crate::protocol::FileId;
 impl App {
     /// The file was no recording but a specification: it is shown, and leaves the list of recordings.
     pub(super) fn opened(self, file: FileId, result: Result<String, String>) {
-        let name = self.model.files.with_untracked(|files| {
-            files.iter().find(|it| it.id == file).map(|it| it.name.clone()).unwrap_or_default()
-        });
+        let name = self
+            .model
+            .files
+            .with_untracked(|files| files.iter().find(|it| it.id == file).map(|it| it.name.clone()));
+        // It was let go of meanwhile.
+        let Some(name) = name else { return };
         self.forget(file);
         let read = result.and_then(|text| Specification::from_json(&text).map_err(|error| error.to_string()));
         match read {

@@ -1,6 +1,7 @@
 //! Texts to take away.
 
 use goalgraph::export::{ExportFormat, export};
+use goalgraph::history::Mark;
 use leptos::prelude::*;
 
 use super::App;
@@ -16,12 +17,13 @@ impl App {
         };
         match format {
             ExportFormat::Json => {
-                self.save("goalgraph.json", "application/json", &specification.to_json());
-                self.mark_saved();
+                if self.save("goalgraph.json", "application/json", &specification.to_json()) {
+                    self.mark(Mark::Saved);
+                }
             }
             ExportFormat::Dot => {
                 let text = export(&specification, ExportFormat::Dot);
-                self.save("dot", "text/vnd.graphviz", &text);
+                let _ = self.save("dot", "text/vnd.graphviz", &text);
             }
             ExportFormat::Svg => {
                 self.post(&ToWorker::DrawSvg { specification: specification.to_json() }, None);
@@ -29,12 +31,16 @@ impl App {
         }
     }
 
-    pub(super) fn save(self, extension: &str, media_type: &str, text: &str) {
+    /// Whether the browser took the file.
+    pub(super) fn save(self, extension: &str, media_type: &str, text: &str) -> bool {
         let stem = self.derived.task_name.with_untracked(|name| file_stem(name));
         let name = format!("{stem}.{extension}");
-        match download::save(&name, media_type, text) {
-            Ok(()) => self.say(Notice::calm(format!("Saved {name}."))),
-            Err(_) => self.say(Notice::alarm(format!("The browser does not save {name}."))),
-        }
+        let saved = download::save(&name, media_type, text).is_ok();
+        self.say(if saved {
+            Notice::calm(format!("Saved {name}."))
+        } else {
+            Notice::alarm(format!("The browser does not save {name}."))
+        });
+        saved
     }
 }

@@ -4,6 +4,7 @@ use goalgraph::pdfa::Symbol;
 use leptos::prelude::*;
 
 use super::App;
+use crate::page::derived::ways;
 use crate::page::model::Notice;
 
 impl App {
@@ -35,7 +36,12 @@ impl App {
         if self.model.unavailable.with_untracked(|unavailable| unavailable.contains(&symbol)) {
             return self.say(Notice::alarm(format!("{name} is switched off.")));
         }
-        self.model.simulation.update(|walk| walk.word.push(symbol));
+        self.model.simulation.update(|walk| {
+            // An edit may have taken the later steps.
+            let taken = ways(&specification.pdfa, &walk.word).len();
+            walk.word.truncate(taken);
+            walk.word.push(symbol);
+        });
     }
 
     /// Goes back to after the first `steps` steps.

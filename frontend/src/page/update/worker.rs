@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use goalgraph::infer::Progress;
+use goalgraph::layout::Layout;
 use goalgraph::specification::Specification;
 use leptos::prelude::*;
 
@@ -37,17 +38,14 @@ impl App {
         }
         self.say(Notice::calm("Canceled. Nothing was lost."));
         self.restart_worker();
+        if self.is_placing() {
+            self.tidy();
+        }
     }
 
     /// A fresh worker knows nothing: it is given the files again that were accepted.
     pub(super) fn restart_worker(self) {
         self.model.inferring.set(None);
-        // A placement that was asked for is never answered now.
-        self.model.tidied.update(|tidied| {
-            if tidied.asked != tidied.answered {
-                (tidied.asked, tidied.of) = (tidied.answered, None);
-            }
-        });
         let outside = self.outside.get_value();
         if let Some(link) = outside.link.get() {
             link.restart();
@@ -76,6 +74,13 @@ impl App {
                 let culprit =
                     unread.filter(|(_, verdict)| *verdict == Verdict::Reading).map(|(id, _)| id).next();
                 self.restart_worker();
+                if self.is_placing() && culprit.is_none() {
+                    // It would break down again.
+                    self.model.tidied.update(|tidied| {
+                        tidied.answered = tidied.asked;
+                        tidied.layouts = Vec::new();
+                    });
+                }
                 let reason =
                     format!("the worker broke down ({reason}); the file may be too large for this browser");
                 match culprit {
@@ -106,17 +111,35 @@ impl App {
             FromWorker::Track { demonstration, track } => {
                 model.track.set(Some((demonstration, Arc::new(track))));
             }
-            FromWorker::LaidOut(Ok(layouts)) => {
-                let layouts = layouts.into_iter().map(Arc::new).collect();
-                model.tidied.update(|tidied| {
-                    tidied.answered = tidied.asked;
-                    tidied.layouts = layouts;
+            FromWorker::LaidOut { number, result } => self.laid_out(number, result),
+            FromWorker::Opened { file, result } => self.opened(file, result),
+            FromWorker::Svg(Ok(text)) => drop(self.save("svg", "image/svg+xml", &text)),
+            FromWorker::Svg(Err(reason)) => {
+                self.say(Notice::alarm(format!("The automaton cannot be drawn: {reason}")));
+            }
+        }
+    }
+
+    /// Whether a placement was asked for and not answered yet.
+    fn is_placing(self) -> bool {
+        self.model.tidied.with_untracked(|tidied| tidied.asked != tidied.answered)
+    }
+
+    /// Takes the placement that was asked for last; an earlier one is of something else.
+    fn laid_out(self, number: u32, result: Result<Vec<Layout>, String>) {
+        if self.model.tidied.with_untracked(|tidied| tidied.asked != number) {
+            return;
+        }
+        match result {
+            Ok(layouts) => {
+                self.model.tidied.update(|tidied| {
+                    tidied.answered = number;
+                    tidied.layouts = layouts.into_iter().map(Arc::new).collect();
                 });
                 graph::fit(self);
             }
-            FromWorker::Opened { file, result } => self.opened(file, result),
-            FromWorker::Svg(Ok(text)) => self.save("svg", "image/svg+xml", &text),
-            FromWorker::LaidOut(Err(reason)) | FromWorker::Svg(Err(reason)) => {
+            Err(reason) => {
+                self.model.tidied.update(|tidied| tidied.answered = number);
                 self.say(Notice::alarm(format!("The automaton cannot be drawn: {reason}")));
             }
         }

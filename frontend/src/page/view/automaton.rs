@@ -3,7 +3,7 @@
 use leptos::prelude::*;
 
 use super::chips::{icon_button, nothing_yet, short_button};
-use super::{draft, graph, inspector, search, side, table, text_pane};
+use super::{draft, filter, graph, inspector, search, side, table, text_pane};
 use crate::page::text::count;
 use crate::page::update::App;
 
@@ -20,6 +20,7 @@ pub(crate) fn automaton(app: App) -> impl IntoView {
                 {side::side(app)}
                 <section class="canvas" aria-label="Graph">
                     {tools(app)}
+                    {filter::hidden(app)}
                     {search::search(app)}
                     {move || if app.model.as_table.get() { table::table(app).into_any() } else { graph::graph(app).into_any() }}
                     {draft::draft(app)}

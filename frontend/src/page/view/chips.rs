@@ -77,6 +77,7 @@ pub(crate) fn edit_button(
     edits: impl Fn() -> Vec<Edit> + Clone + 'static,
 ) -> impl IntoView {
     let (enter, focus, begin) = (edits.clone(), edits.clone(), edits);
+    on_cleanup(move || app.act(Action::ConsiderNoMore));
     view! {
         <button
             type="button"

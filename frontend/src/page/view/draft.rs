@@ -13,7 +13,7 @@ use web_sys::HtmlElement;
 use super::chips::button;
 use crate::page::model::Draft;
 use crate::page::text::{count, grouped, measure, significant};
-use crate::page::update::App;
+use crate::page::update::{Action, App};
 use crate::page::view::words::word;
 
 /// The preview of the edit that is thought of, with its answer once it was begun.
@@ -49,7 +49,7 @@ fn lend_focus(app: App) {
     Effect::new(move |before: Option<bool>| {
         let begun = app.model.draft.with(|draft| draft.as_ref().is_some_and(|it| it.begun));
         if begun != before.unwrap_or(false) {
-            request_animation_frame(move || if begun { take_focus(lender) } else { give_back(lender) });
+            request_animation_frame(move || if begun { take_focus(lender) } else { give_back(app, lender) });
         }
         begun
     });
@@ -66,11 +66,13 @@ fn take_focus(lender: StoredValue<Option<HtmlElement>, LocalStorage>) {
     }
 }
 
-fn give_back(lender: StoredValue<Option<HtmlElement>, LocalStorage>) {
+fn give_back(app: App, lender: StoredValue<Option<HtmlElement>, LocalStorage>) {
     let lent = lender.try_update_value(Option::take).flatten().filter(|lender| lender.is_connected());
     let nowhere = document().active_element().is_none_or(|active| active.tag_name() == "BODY");
     if let Some(lender) = lent.filter(|_| nowhere) {
         let _ = lender.focus();
+        // The focus comes back to where the edit was begun: that is no new thought.
+        app.act(Action::ConsiderNoMore);
     }
 }
 

@@ -12,6 +12,16 @@ pub(crate) fn filter(app: App) -> impl IntoView {
         app.act(Action::HideBelow(percent / 100.0));
     };
     let below = move || (app.model.hidden_below.get() * 100.0).round();
+    view! {
+        <label class="filter" title="Only the view: the specification stays as it is.">
+            <span>{move || format!("Hide below {}%", below())}</span>
+            <input type="range" min="0" max="50" step="1" aria-label="Hide transitions less probable than, in percent" prop:value=move || below().to_string() on:input=slide />
+        </label>
+    }
+}
+
+/// What the filter hides, wherever the graph is shown.
+pub(crate) fn hidden(app: App) -> impl IntoView {
     let hidden = move || {
         app.derived.residue.with(|residue| {
             (!residue.transitions.is_empty()).then(|| {
@@ -24,11 +34,5 @@ pub(crate) fn filter(app: App) -> impl IntoView {
             })
         })
     };
-    view! {
-        <label class="filter" title="Only the view: the specification stays as it is.">
-            <span>{move || format!("Hide below {}%", below())}</span>
-            <input type="range" min="0" max="50" step="1" aria-label="Hide transitions less probable than, in percent" prop:value=move || below().to_string() on:input=slide />
-        </label>
-        {move || hidden().map(|text| view! { <span class="hint residue-note" role="status">{text}</span> })}
-    }
+    move || hidden().map(|text| view! { <p class="hint residue-note" role="status">{text}</p> })
 }

@@ -12,7 +12,7 @@ mod view_part;
 
 use leptos::prelude::*;
 
-use crate::page::model::{Selection, Viewport};
+use crate::page::model::{Selection, Tab, Viewport};
 use crate::page::update::{Action, App};
 
 pub(crate) use super::viewport::{ZOOM_STEP, fit, show, zoom};
@@ -59,7 +59,8 @@ fn is_selected(app: App, item: Selection) -> bool {
 
 /// A click or Enter: selects, or adds to the selection, or takes a step of a walk.
 fn pick(app: App, item: Selection, more: bool) {
-    let walking = app.model.simulation.with_untracked(|walk| walk.on);
+    let walking =
+        app.model.simulation.with_untracked(|walk| walk.on) && app.model.tab.get_untracked() == Tab::Run;
     match item {
         Selection::Transition(source, symbol) if walking => {
             if app.derived.present.get_untracked() == Some(source) {

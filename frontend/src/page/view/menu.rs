@@ -20,10 +20,20 @@ pub(crate) fn menu(app: App) -> impl IntoView {
 
 fn open(app: App, Menu { x, y, content }: Menu) -> impl IntoView {
     let node = NodeRef::<Ul>::new();
+    let before = StoredValue::new_local(None::<HtmlElement>);
     Effect::new(move |_| {
         if let Some(list) = node.get() {
+            let active = document().active_element();
+            before.set_value(active.and_then(|active| active.dyn_into::<HtmlElement>().ok()));
             keep_inside(&list, x, y);
             focus(&list, 0);
+        }
+    });
+    on_cleanup(move || {
+        let nowhere = document().active_element().is_none_or(|active| active.tag_name() == "BODY");
+        if let Some(before) = before.try_get_value().flatten().filter(|it| nowhere && it.is_connected()) {
+            // An element of this page always takes the focus.
+            let _ = before.focus();
         }
     });
     let items = match content {

@@ -68,7 +68,8 @@ impl Entry {
     fn run(self, app: App) {
         app.act(Action::Overlay(None));
         match self {
-            Self::Command(command) => (command.run)(app),
+            // Once the dialog is gone: until then nothing else takes the focus.
+            Self::Command(command) => request_animation_frame(move || (command.run)(app)),
             Self::Sample(sample) => app.act(Action::LoadSample(sample)),
         }
     }

@@ -7,7 +7,7 @@ use leptos::prelude::*;
 
 use super::chips::{chip, nothing_yet};
 use super::words::word;
-use super::{graph, simulate};
+use super::{filter, graph, simulate};
 use crate::page::update::{Action, App};
 
 /// Availability, the plan, and what is not there yet.
@@ -24,6 +24,7 @@ pub(crate) fn run(app: App) -> impl IntoView {
                 <section class="canvas" aria-label="Plan">
                     <div class="plan">{move || app.derived.plan.get().map(|plan| shown(app, plan))}</div>
                     {simulate::walk(app)}
+                    {filter::hidden(app)}
                     {graph::graph(app)}
                 </section>
                 <aside class="inspector" aria-label="Simulation">

@@ -63,7 +63,12 @@ fn bar(app: App) -> impl IntoView {
                 spellcheck="false"
                 dir="auto"
                 prop:value=move || app.derived.task_name.get()
-                on:change=move |event| app.act(Action::Name(event_target_value(&event)))
+                on:change=move |event| {
+                    app.act(Action::Name(event_target_value(&event)));
+                    // What was refused does not stay in the field.
+                    let name = app.derived.task_name.get_untracked();
+                    event_target::<HtmlInputElement>(&event).set_value(&name);
+                }
             />
             <div class="tabs" role="tablist" aria-label="Steps" on:keydown=move |event| step_tabs(app, &event)>
                 {Tab::ALL.map(|tab| tab_button(app, tab)).collect_view()}

@@ -12,6 +12,7 @@ use leptos::prelude::*;
 
 use super::chips::{button, chip};
 use super::words::word;
+use crate::page::derived::ways;
 use crate::page::text::count;
 use crate::page::update::{Action, App};
 
@@ -39,6 +40,7 @@ pub(crate) fn walk(app: App) -> impl IntoView {
 /// What was done; every step can be gone back to.
 fn log(app: App) -> impl IntoView {
     let done = app.model.simulation.with(|walk| walk.word.clone());
+    let taken = app.derived.specification.with(|it| it.as_ref().map_or(0, |it| ways(&it.pdfa, &done).len()));
     let step = |(index, symbol): (usize, &Symbol)| {
         view! {
             <li>
@@ -48,7 +50,7 @@ fn log(app: App) -> impl IntoView {
             </li>
         }
     };
-    view! { <ol class="word" aria-label="Steps so far">{done.iter().enumerate().map(step).collect_view()}</ol> }
+    view! { <ol class="word" aria-label="Steps so far">{done[..taken].iter().enumerate().map(step).collect_view()}</ol> }
 }
 
 /// What can be done now.

@@ -8,7 +8,7 @@ use web_sys::{Element, ResizeObserver};
 use super::gesture::{self, Pressed};
 use super::view_part::ViewPart;
 use super::{canvas, minimap};
-use crate::page::model::Gesture;
+use crate::page::model::{Gesture, Tab};
 use crate::page::update::App;
 use crate::page::view::viewport::{fit, pan};
 
@@ -23,12 +23,12 @@ pub(super) fn frame(app: App, part: Memo<ViewPart>, content: impl IntoView + 'st
         <div
             class="graph-frame"
             class:merging=merging
-            class:walking=move || app.model.simulation.with(|walk| walk.on)
+            class:walking=move || app.model.tab.get() == Tab::Run && app.model.simulation.with(|walk| walk.on)
             node_ref=node
             on:pointerdown=move |event| gesture::down(app, pressed, &event)
             on:pointermove=move |event| gesture::shift(app, pressed, &event)
             on:pointerup=move |event| gesture::up(app, pressed, &event)
-            on:pointercancel=move |event| gesture::up(app, pressed, &event)
+            on:pointercancel=move |_| gesture::abort(app, pressed)
             on:click:capture=move |event| gesture::click(app, pressed, &event)
             on:contextmenu=move |event| gesture::menu(app, &event)
             on:wheel=move |event| gesture::wheel(app, &event)

@@ -124,8 +124,16 @@ pub(super) fn click(app: App, pressed: Pressed, event: &MouseEvent) {
         event.stop_propagation();
     } else if let (true, item) = painted(app, event) {
         // What is painted has no element that could hear the click.
-        app.act(Action::Select(item));
+        let more = event.shift_key() || event.ctrl_key() || event.meta_key();
+        app.act(item.filter(|_| more).map_or(Action::Select(item), Action::ToggleSelected));
     }
+}
+
+/// The browser took the pointer away: nothing comes of the gesture.
+pub(super) fn abort(app: App, pressed: Pressed) {
+    pressed.set_value(None);
+    app.act(Action::Abort);
+    app.act(Action::ConsiderNoMore);
 }
 
 fn connect(app: App, source: StateId, symbol: Option<Symbol>, target: StateId, event: &PointerEvent) {
@@ -221,10 +229,11 @@ fn origins(app: App, id: StateId) -> BTreeMap<StateId, Point> {
 
 /// The state at a place of the drawing, but for those that `except` names.
 fn state_at(app: App, place: Point, except: impl Fn(StateId) -> bool) -> Option<StateId> {
+    let hidden = app.derived.residue.get_untracked();
     app.derived.picture.get_untracked()?.states().find_map(|(id, rect)| {
         let inside =
             (rect.left..=rect.right).contains(&place.x) && (rect.top..=rect.bottom).contains(&place.y);
-        (inside && !except(id)).then_some(id)
+        (inside && !except(id) && !hidden.states.contains(&id)).then_some(id)
     })
 }
 
@@ -238,7 +247,8 @@ fn select_between(app: App, a: Point, b: Point) {
     let (a, b) = (viewport.in_drawing(a), viewport.in_drawing(b));
     let within = |place: f64, from: f64, to: f64| (from.min(to)..=from.max(to)).contains(&place);
     let mut selection = app.model.selection.get_untracked();
-    for node in &picture.layout.nodes {
+    let hidden = app.derived.residue.get_untracked();
+    for node in picture.layout.nodes.iter().filter(|node| !hidden.states.contains(&node.id)) {
         let item = Selection::State(node.id);
         if within(node.x, a.x, b.x) && within(node.y, a.y, b.y) && !selection.contains(&item) {
             selection.push(item);

@@ -21,8 +21,10 @@ pub(super) fn state(app: App, id: StateId) -> impl IntoView {
     let rename = move |name: String| app.act(Action::Edit(None, vec![Edit::RenameState { state: id, name }]));
     let accepting = move || there.with(|state| state.as_ref().is_some_and(|it| it.accepting));
     let accept = move |event: web_sys::Event| {
-        let accepting = event_target_checked(&event);
-        app.act(Action::Edit(None, vec![Edit::SetAccepting { state: id, accepting }]));
+        let wanted = event_target_checked(&event);
+        // It shows what is; the preview shows what would be.
+        event_target::<web_sys::HtmlInputElement>(&event).set_checked(untrack(accepting));
+        app.act(Action::Begin(vec![Edit::SetAccepting { state: id, accepting: wanted }]));
     };
     let through = move || there.with(|state| state.as_ref().map(|it| words_through(it).to_string()));
     let ended = move || there.with(|state| state.as_ref().map(|it| it.end_count.to_string()));

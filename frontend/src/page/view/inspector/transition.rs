@@ -40,6 +40,14 @@ pub(super) fn transition(app: App, source: StateId, symbol: Symbol) -> impl Into
     }
 }
 
+/// The state that was chosen; the field shows what is again, for the preview shows what would be.
+fn chosen(event: &web_sys::Event, present: Option<StateId>) -> Option<StateId> {
+    let chosen = event_target_value(event).parse().ok();
+    let present = present.map(|id| id.to_string()).unwrap_or_default();
+    event_target::<web_sys::HtmlSelectElement>(event).set_value(&present);
+    chosen
+}
+
 /// Fields to move either end.
 fn ends(app: App, source: StateId, symbol: Symbol, target: Memo<Option<StateId>>) -> impl IntoView {
     let options = move |chosen: Option<StateId>| {
@@ -58,11 +66,11 @@ fn ends(app: App, source: StateId, symbol: Symbol, target: Memo<Option<StateId>>
         <div class="field-pair">
             <label class="field">
                 <span>"Move start to"</span>
-                <select on:change=move |event| move_to(event_target_value(&event).parse().ok(), target.get_untracked())>{move || options(Some(source))}</select>
+                <select on:change=move |event| move_to(chosen(&event, Some(source)), target.get_untracked())>{move || options(Some(source))}</select>
             </label>
             <label class="field">
                 <span>"Move end to"</span>
-                <select on:change=move |event| move_to(Some(source), event_target_value(&event).parse().ok())>{move || options(target.get())}</select>
+                <select on:change=move |event| move_to(Some(source), chosen(&event, target.get_untracked()))>{move || options(target.get())}</select>
             </label>
         </div>
     }

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use goalgraph::edit::{Edit, Outcome};
 use goalgraph::layout::drawing::words_through;
 use goalgraph::pdfa::{Semantics, State, StateId, Symbol};
+use leptos::html::Input;
 use leptos::prelude::*;
 
 use super::interval::{Evidence, band};
@@ -131,9 +132,11 @@ fn probability_field(
         let field = event_target::<web_sys::HtmlInputElement>(&event);
         match event.key().as_str() {
             "Enter" => {
-                match read(&field.value()) {
-                    Some(edits) => app.act(Action::Edit(None, edits)),
-                    None => app.say_expected("the probability", "a number from 0 to 1", &field.value()),
+                match Some(()).filter(|()| typing.get_untracked()).map(|()| read(&field.value())) {
+                    // Nothing was typed, and what is there is rounded.
+                    None => {}
+                    Some(Some(edits)) => app.act(Action::Edit(None, edits)),
+                    Some(None) => app.say_expected("the probability", "a number from 0 to 1", &field.value()),
                 }
                 typing.set(false);
                 field.set_value(&share(probability.get_untracked()));
@@ -148,13 +151,16 @@ fn probability_field(
         event.prevent_default();
         event.stop_propagation();
     };
-    let left = move |event: web_sys::FocusEvent| {
-        // What was typed waits in the preview: to be made or forgotten there.
-        typing.set(false);
-        if app.model.draft.with_untracked(Option::is_none) {
-            event_target::<web_sys::HtmlInputElement>(&event).set_value(&share(probability.get_untracked()));
+    // What was typed waits in the preview, to be made or forgotten there; then the field shows what is.
+    let left = move |_| typing.set(false);
+    let node = NodeRef::<Input>::new();
+    Effect::new(move |_| {
+        let waits = app.model.draft.with(Option::is_some) || typing.get();
+        let shown = share(probability.get());
+        if let Some(field) = node.get().filter(|_| !waits) {
+            field.set_value(&shown);
         }
-    };
+    });
     view! {
         <input
             class="probability"
@@ -162,7 +168,7 @@ fn probability_field(
             inputmode="decimal"
             aria-label=label
             disabled=fixed
-            prop:value=move || share(probability.get())
+            node_ref=node
             on:input=typed
             on:keydown=press
             on:blur=left

@@ -16,7 +16,7 @@ pub(super) fn history(app: App) -> impl IntoView {
         app.model.history.with(|history| history.as_ref().map(read))
     };
     view! {
-        <div class="row">{button(app, "undo")} {button(app, "redo")}</div>
+        <div class="row">{button(app, "undo")} {button(app, "redo")} {button(app, "mark-approved")}</div>
         <ol class="steps-done" aria-label="Steps">{steps}</ol>
     }
 }

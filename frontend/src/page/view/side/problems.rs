@@ -17,7 +17,7 @@ pub(super) fn problems(app: App) -> impl IntoView {
         <ul class="problem-list">
             <For
                 each=move || app.derived.problems.get()
-                key=|problem| format!("{:?}", problem.kind)
+                key=|problem| format!("{:?} {}", problem.kind, problem.message)
                 children=move |problem| row(app, &problem)
             />
         </ul>
@@ -27,8 +27,13 @@ pub(super) fn problems(app: App) -> impl IntoView {
 fn row(app: App, problem: &Problem) -> impl IntoView + use<> {
     let place = problem.place();
     let error = problem.severity == Severity::Error;
-    let fixed = app.derived.specification.with(|it| fix(it.as_ref()?, problem, app.next_state()));
-    let fix_button = fixed.map(|transaction| edit_button(app, "Fix", move || transaction.edits.clone()));
+    let problem_now = problem.clone();
+    let fixed = move || {
+        let fixed =
+            app.derived.specification.with_untracked(|it| fix(it.as_ref()?, &problem_now, app.next_state()));
+        fixed.map(|transaction| transaction.edits).unwrap_or_default()
+    };
+    let fix_button = (!fixed().is_empty()).then(|| edit_button(app, "Fix", fixed));
     view! {
         <li class="problem" class:error=error>
             <span class="problem-kind">{if error { "Error" } else { "Warning" }}</span>

@@ -26,7 +26,7 @@ pub(super) fn variants(app: App) -> impl IntoView {
         <ol class="variants">
             <For
                 each=move || app.derived.variants.get()
-                key=|variant| format!("{:?}{:?}", variant.word, variant.conformance)
+                key=move |variant| format!("{variant:?} {}", whole())
                 children=move |variant| row(app, &variant, whole())
             />
         </ol>
