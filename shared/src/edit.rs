@@ -169,7 +169,8 @@ pub enum Edit {
         /// The first id for new states.
         first_new: StateId,
     },
-    /// Removes a sub-goal and reads words and automaton again, see [`Edit::MergeSubGoals`].
+    /// Removes a sub-goal and reads words and automaton again, see [`Edit::MergeSubGoals`]; one that is in no word and on
+    /// no transition goes without that.
     RemoveSubGoal {
         /// The sub-goal.
         symbol: Symbol,

@@ -2,7 +2,7 @@
 
 mod log;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
@@ -118,7 +118,9 @@ impl History {
         let mut next_state = self.next_state;
         let mut learned = None;
         for edit in &transaction.edits {
+            let had: BTreeSet<StateId> = next.pdfa.states.keys().copied().collect();
             edit.perform(&mut next)?;
+            refuse_reused(&next, &had, next_state, edit)?;
             next_state = id_above(&next, next_state);
             if let Edit::Replace { .. } = edit {
                 learned = Some(Arc::new(next.clone()));
@@ -191,6 +193,22 @@ impl History {
     /// The position of `mark`; none when it was never set or what it was set on is forgotten.
     pub fn marked(&self, mark: Mark) -> Option<usize> {
         self.marks.get(&mark).copied()
+    }
+}
+
+/// An id that was given before is never given again, not even of a state that is gone. Another specification has its own.
+fn refuse_reused(
+    after: &Specification,
+    had: &BTreeSet<StateId>,
+    next_state: StateId,
+    edit: &Edit,
+) -> Result<(), EditError> {
+    let reused = |id: &&StateId| **id < next_state && !had.contains(id);
+    match after.pdfa.states.keys().find(reused) {
+        Some(&id) if !matches!(edit, Edit::Replace { .. }) => {
+            Err(EditError::IdTaken(id, StateId(next_state.0 - 1)))
+        }
+        _ => Ok(()),
     }
 }
 

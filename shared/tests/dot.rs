@@ -291,3 +291,10 @@ proptest! {
         let _ = read_dot(&text[from..to]);
     }
 }
+
+#[test]
+fn the_star_that_opens_a_comment_does_not_end_it() {
+    let text = "digraph {\n /*/ q0 -> q1 [symbol=\"g0\"]; */ __start0 -> q0;\n q0 [shape=doublecircle];\n}";
+    let read = read_dot(text).unwrap();
+    assert_eq!((read.pdfa.states.len(), read.pdfa.transitions().count()), (1, 0));
+}

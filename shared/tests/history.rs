@@ -96,6 +96,13 @@ fn an_id_is_never_given_again_not_even_of_a_state_that_is_forgotten() {
         [Edit::AddState { id: StateId(9) }, Edit::MergeStates { kept: StateId(0), merged: StateId(9) }];
     history.commit(transaction("add and merge", &gone)).unwrap();
     assert_eq!(history.next_state(), StateId(10));
+    let before = history.log();
+    let reused = history.commit(transaction("again", &[Edit::AddState { id: StateId(9) }]));
+    assert_eq!(
+        reused.unwrap_err().to_string(),
+        "q9: a new state needs an id above q9, because ids are never reused"
+    );
+    assert_eq!(history.log(), before);
 }
 
 #[test]

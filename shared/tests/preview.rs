@@ -78,8 +78,11 @@ proptest! {
         let mut done = Vec::new();
         let mut part_of: std::collections::BTreeMap<StateId, Option<StateId>> =
             before.pdfa.states.keys().map(|&id| (id, Some(id))).collect();
+        // An id of a state that is gone is not given again.
+        let mut next = above(&before);
         for edit in edits {
-            let edit = with_new_ids(edit, above(&after));
+            next = next.max(above(&after));
+            let edit = with_new_ids(edit, next);
             if matches!(edit, Edit::Replace { .. }) {
                 continue;
             }

@@ -1,4 +1,4 @@
-//! What is seen. Every function takes values and emits actions; none keeps state of its own.
+//! What is seen. Every function takes values and emits actions; what it keeps is what somebody is typing, no more.
 
 pub(crate) mod automaton;
 pub(crate) mod benchmark;

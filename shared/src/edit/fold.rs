@@ -89,7 +89,9 @@ pub(super) fn add_way(
         Some(present) => {
             present.count = present.count.saturating_add(way.count);
             present.weight = plus(present.weight, way.weight);
-            pairs.push((present.target, way.target));
+            if present.target != way.target {
+                pairs.push((present.target, way.target));
+            }
         }
         None => {
             state.transitions.insert(symbol, way);

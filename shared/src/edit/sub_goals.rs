@@ -45,6 +45,13 @@ pub(super) fn remove(
 ) -> Result<Folded, EditError> {
     known(specification, symbol)?;
     specification.sub_goals.retain(|sub_goal| sub_goal.id != symbol);
+    let in_words = specification.demonstrations.iter().any(|shown| shown.word.contains(&symbol));
+    if !in_words && specification.pdfa.transitions().all(|(_, used, _)| used != symbol) {
+        for state in specification.pdfa.states.values_mut() {
+            state.completed.remove(&symbol);
+        }
+        return Ok(Folded::new());
+    }
     reread(specification, &|other| (other != symbol).then_some(other), None, first_new)
 }
 

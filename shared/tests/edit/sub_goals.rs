@@ -43,7 +43,7 @@ fn states_are_recognized_by_what_is_completed() {
 
 #[test]
 fn states_for_sets_that_there_were_not_get_new_ids() {
-    let before = learned(&["ab"]);
+    let before = learned(&["abc"]);
     let (merged, _) = edited(&before, &Edit::MergeStates { kept: q(0), merged: q(1) });
     let (after, change) = edited(&merged, &remove(C));
     assert_eq!(change.added, [q(20)].into());
@@ -135,4 +135,16 @@ fn without_demonstrations_only_what_no_transition_uses_can_go() {
     assert!(after.sub_goal(C).is_none());
     assert!(after.pdfa.states.values().all(|state| !state.completed.contains(&C)));
     assert_eq!(after.pdfa.transitions().count(), 2);
+}
+
+#[test]
+fn removing_a_sub_goal_that_nothing_uses_keeps_every_other_correction() {
+    let before = learned(&["abc", "bac"]);
+    let (mut corrected, _) = edited(&before, &Edit::MergeStates { kept: q(1), merged: q(4) });
+    let states = corrected.pdfa.clone();
+    let mut unused = corrected.sub_goals[0].clone();
+    unused.id = Symbol(9);
+    corrected.sub_goals.push(unused);
+    let (after, _) = edited(&corrected, &remove(Symbol(9)));
+    assert_eq!(after.pdfa, states);
 }

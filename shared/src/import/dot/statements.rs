@@ -1,6 +1,7 @@
 //! Statements: what a graph says about itself, its nodes and its edges.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use super::DotError;
 use super::tokens::{Kind, Token};
@@ -29,7 +30,7 @@ pub(super) struct Edge {
     pub(super) line: usize,
     pub(super) source: String,
     pub(super) target: String,
-    pub(super) attributes: Attributes,
+    pub(super) attributes: Rc<Attributes>,
 }
 
 /// All statements of a graph, in their order.
@@ -171,9 +172,10 @@ impl<'a> Reader<'a> {
             graph.nodes.push(Node { line, id: id.clone(), attributes });
             return Ok(());
         }
+        let attributes = Rc::new(attributes);
         for pair in ends.windows(2) {
             let (source, target) = (pair[0].clone(), pair[1].clone());
-            graph.edges.push(Edge { line, source, target, attributes: attributes.clone() });
+            graph.edges.push(Edge { line, source, target, attributes: Rc::clone(&attributes) });
         }
         Ok(())
     }

@@ -114,7 +114,8 @@ impl Reader<'_> {
                 let end = self.rest.find('\n').unwrap_or(self.rest.len());
                 self.take(end);
             } else if self.rest.starts_with("/*") {
-                let Some(end) = self.rest.find("*/") else {
+                // The star that opens a comment does not end it.
+                let Some(end) = self.rest[2..].find("*/").map(|end| end + 2) else {
                     return Err(DotError::at(self.line, "a comment has no end; expected */"));
                 };
                 self.line += self.rest[..end].matches('\n').count();

@@ -5,22 +5,28 @@ use goalgraph::specification::{Place, Problem, Severity};
 use leptos::prelude::*;
 
 use crate::page::model::{Selection, Tab};
+use crate::page::text::grouped;
 use crate::page::update::{Action, App};
 use crate::page::view::chips::edit_button;
 use crate::page::view::graph;
 
+/// How many problems are listed at most; the errors come first.
+const LISTED: usize = 100;
+
 /// The list of problems.
 pub(super) fn problems(app: App) -> impl IntoView {
     let none = move || app.derived.problems.with(Vec::is_empty);
+    let more = move || app.derived.problems.with(Vec::len).checked_sub(LISTED).filter(|more| *more > 0);
     view! {
         {move || none().then(|| view! { <p class="fits">"Nothing is wrong."</p> })}
         <ul class="problem-list">
             <For
-                each=move || app.derived.problems.get()
+                each=move || app.derived.problems.with(|problems| problems[..problems.len().min(LISTED)].to_vec())
                 key=|problem| format!("{:?} {}", problem.kind, problem.message)
                 children=move |problem| row(app, &problem)
             />
         </ul>
+        {move || more().map(|more| view! { <p class="hint">{format!("and {} more", grouped(more))}</p> })}
     }
 }
 
