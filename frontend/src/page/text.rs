@@ -47,15 +47,10 @@ pub(crate) fn is_expert(weight: f64, count: u64) -> bool {
     (weight - count as f64).abs() > 1e-9
 }
 
-/// A weight with up to four decimals.
-pub(crate) fn weight(weight: f64) -> String {
-    let text = format!("{weight:.4}");
+/// A weight or probability with up to four decimals.
+pub(crate) fn decimals(value: f64) -> String {
+    let text = format!("{value:.4}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
-}
-
-/// A probability with up to four decimals, as people write it into a field.
-pub(crate) fn share(share: f64) -> String {
-    weight(share)
 }
 
 /// A measure that may have no end: `0.12`, `∞`.

@@ -8,7 +8,7 @@ use leptos::prelude::*;
 use super::evidence::{Pass, passages};
 use super::fact;
 use super::weights::row;
-use crate::page::text::weight;
+use crate::page::text::decimals;
 use crate::page::update::{Action, App};
 use crate::page::view::chips::{button, chip, to_state};
 
@@ -24,7 +24,7 @@ pub(super) fn transition(app: App, source: StateId, symbol: Symbol) -> impl Into
             {fact("From", to_state(app, source))}
             {fact("To", move || target.get().map(|target| to_state(app, target)))}
             {fact("Count", move || way.with(|way| way.as_ref().map(|way| way.count.to_string())))}
-            {fact("Weight", move || way.with(|way| way.as_ref().map(|way| weight(way.weight))))}
+            {fact("Weight", move || way.with(|way| way.as_ref().map(|way| decimals(way.weight))))}
         </dl>
         <h3>"Probability"</h3>
         <ul class="outcomes">{row(app, source, Outcome::Transition(symbol))}</ul>

@@ -10,7 +10,7 @@ use leptos::prelude::*;
 
 use super::interval::{Evidence, band};
 use super::state::outcome_name;
-use crate::page::text::{is_expert, share, weight};
+use crate::page::text::{decimals, is_expert};
 use crate::page::update::{Action, App};
 use crate::page::view::chips::edit_button;
 
@@ -64,7 +64,7 @@ pub(super) fn row(app: App, id: StateId, outcome: Outcome) -> impl IntoView {
         let expert = is_expert(weight_now, count);
         Some(view! {
             <span class="hint">{format!("{count} of {total}")}</span>
-            {expert.then(|| view! { <span class="tag expert" title="An expert has set this weight">{format!("weight {}", weight(weight_now))}</span> })}
+            {expert.then(|| view! { <span class="tag expert" title="An expert has set this weight">{format!("weight {}", decimals(weight_now))}</span> })}
             {band(Evidence { count, total, outcomes, expert }, probability.get())}
         })
     };
@@ -139,12 +139,12 @@ fn probability_field(
                     Some(None) => app.say_expected("the probability", "a number from 0 to 1", &field.value()),
                 }
                 typing.set(false);
-                field.set_value(&share(probability.get_untracked()));
+                field.set_value(&decimals(probability.get_untracked()));
             }
             "Escape" => {
                 app.act(Action::CancelDraft);
                 typing.set(false);
-                field.set_value(&share(probability.get_untracked()));
+                field.set_value(&decimals(probability.get_untracked()));
             }
             _ => return,
         }
@@ -156,7 +156,7 @@ fn probability_field(
     let node = NodeRef::<Input>::new();
     Effect::new(move |_| {
         let waits = app.model.draft.with(Option::is_some) || typing.get();
-        let shown = share(probability.get());
+        let shown = decimals(probability.get());
         if let Some(field) = node.get().filter(|_| !waits) {
             field.set_value(&shown);
         }
