@@ -40,4 +40,5 @@ pub mod sampling;
 pub mod specification;
 pub mod sub_goal;
 pub mod subset;
+pub mod versioned;
 pub mod word;

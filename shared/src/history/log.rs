@@ -9,6 +9,7 @@ use super::{History, Mark, Transaction};
 use crate::edit::EditError;
 use crate::pdfa::StateId;
 use crate::specification::{ReadError, Specification};
+use crate::versioned::{VersionedError, read_versioned};
 
 const FORMAT: &str = "goalgraph-history";
 const VERSION: u32 = 1;
@@ -37,28 +38,9 @@ pub struct HistoryLog {
 /// Why data is no history.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum HistoryError {
-    /// The text is no JSON, or not of this shape.
-    #[error("line {line}, column {column}: {message}")]
-    Json {
-        /// Line, from 1.
-        line: usize,
-        /// Column, from 1.
-        column: usize,
-        /// What was found and expected.
-        message: String,
-    },
-    /// It is another kind of data.
-    #[error("format: {found:?} instead of {FORMAT:?}")]
-    Format {
-        /// What it says it is.
-        found: String,
-    },
-    /// It is of a version that this program does not know.
-    #[error("version: {found}, but this program reads version {VERSION}")]
-    Version {
-        /// The version that it says.
-        found: u32,
-    },
+    /// It is no JSON of this shape, or of another format or version.
+    #[error(transparent)]
+    Versioned(#[from] VersionedError),
     /// The specification that it starts from cannot be read.
     #[error("base: {0}")]
     Base(#[from] ReadError),
@@ -109,10 +91,10 @@ impl History {
     /// That of all its edits.
     pub fn from_log(log: HistoryLog) -> Result<Self, HistoryError> {
         if log.format != FORMAT {
-            return Err(HistoryError::Format { found: log.format });
+            return Err(VersionedError::Format { found: log.format, expected: FORMAT }.into());
         }
         if log.version != VERSION {
-            return Err(HistoryError::Version { found: log.version });
+            return Err(VersionedError::Version { found: log.version, expected: VERSION }.into());
         }
         let mut history = Self::new(Specification::from_json(&log.base)?);
         let transactions = log.transactions.len();
@@ -149,29 +131,6 @@ impl HistoryLog {
     ///
     /// When it is no JSON of this shape, or of another format or version.
     pub fn from_json(text: &str) -> Result<Self, HistoryError> {
-        let log = serde_json::from_str::<Self>(text);
-        let kind = match &log {
-            Ok(log) => Some(Kind { format: log.format.clone(), version: log.version }),
-            // Logs of other formats and versions have other shapes, but they are to be named as what they are.
-            Err(_) => serde_json::from_str(text).ok(),
-        };
-        match kind {
-            Some(kind) if kind.format != FORMAT => Err(HistoryError::Format { found: kind.format }),
-            Some(kind) if kind.version != VERSION => Err(HistoryError::Version { found: kind.version }),
-            _ => log.map_err(|error| json_error(&error)),
-        }
+        Ok(read_versioned(text, FORMAT, VERSION)?)
     }
-}
-
-/// What a text says of itself.
-#[derive(Deserialize)]
-struct Kind {
-    format: String,
-    version: u32,
-}
-
-fn json_error(error: &serde_json::Error) -> HistoryError {
-    let text = error.to_string();
-    let message = text.rsplit_once(" at line ").map_or(text.as_str(), |(message, _)| message);
-    HistoryError::Json { line: error.line(), column: error.column(), message: message.to_owned() }
 }

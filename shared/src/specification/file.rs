@@ -6,6 +6,7 @@ use thiserror::Error;
 use super::{DemonstrationWord, Specification, SubGoal, SubsetParameters};
 use crate::demonstration::Feature;
 use crate::pdfa::{Pdfa, Semantics, State, StateId, Symbol, Transition};
+use crate::versioned::{VersionedError, read_versioned};
 
 const FORMAT: &str = "goalgraph-specification";
 const VERSION: u32 = 1;
@@ -16,28 +17,9 @@ pub(super) const PROBABILITY_TOLERANCE: f64 = 1e-4;
 /// Why bytes are no specification.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum ReadError {
-    /// The text is no JSON, or not of this shape.
-    #[error("line {line}, column {column}: {message}")]
-    Json {
-        /// Line, from 1.
-        line: usize,
-        /// Column, from 1.
-        column: usize,
-        /// What was found and expected.
-        message: String,
-    },
-    /// It is another kind of file.
-    #[error("format: {found:?} instead of {FORMAT:?}")]
-    Format {
-        /// What the file says it is.
-        found: String,
-    },
-    /// It is of a version that this program does not know.
-    #[error("version: {found}, but this program reads version {VERSION}")]
-    Version {
-        /// The version that the file says.
-        found: u32,
-    },
+    /// It is no JSON of this shape, or of another format or version.
+    #[error(transparent)]
+    Versioned(#[from] VersionedError),
     /// It contradicts itself.
     #[error("{place}: {message}")]
     Contradiction {
@@ -268,17 +250,7 @@ impl Specification {
     ///
     /// O(n log n) for n bytes.
     pub fn from_json(text: &str) -> Result<Self, ReadError> {
-        let file = serde_json::from_str::<SpecificationFile>(text);
-        let kind = match &file {
-            Ok(file) => Some(Kind { format: file.format.clone(), version: file.version }),
-            // Files of other formats and versions have other shapes, but they are to be named as what they are.
-            Err(_) => serde_json::from_str(text).ok(),
-        };
-        match kind {
-            Some(kind) if kind.format != FORMAT => Err(ReadError::Format { found: kind.format }),
-            Some(kind) if kind.version != VERSION => Err(ReadError::Version { found: kind.version }),
-            _ => file.map_err(|error| json_error(&error))?.into_specification(),
-        }
+        read_versioned::<SpecificationFile>(text, FORMAT, VERSION)?.into_specification()
     }
 }
 
@@ -289,19 +261,6 @@ pub fn json_schema() -> String {
     let mut text = serde_json::to_string_pretty(&schema).unwrap_or_default();
     text.push('\n');
     text
-}
-
-/// What a file says of itself.
-#[derive(Deserialize)]
-struct Kind {
-    format: String,
-    version: u32,
-}
-
-fn json_error(error: &serde_json::Error) -> ReadError {
-    let text = error.to_string();
-    let message = text.rsplit_once(" at line ").map_or(text.as_str(), |(message, _)| message);
-    ReadError::Json { line: error.line(), column: error.column(), message: message.to_owned() }
 }
 
 impl From<&Specification> for SpecificationFile {
