@@ -127,8 +127,6 @@ pub struct Approval {
     pub comment: String,
     /// When.
     pub at: String,
-    /// Number of the revision that was approved before.
-    pub instead_of: Option<u64>,
 }
 
 /// A demonstration file that the server keeps.
