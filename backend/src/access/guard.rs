@@ -9,6 +9,7 @@ use axum::http::header::{AUTHORIZATION, UPGRADE};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 use axum_extra::extract::CookieJar;
+use goalgraph::protocol::api::Role;
 
 use super::caller::Caller;
 use super::rates::Rates;
@@ -92,13 +93,13 @@ impl Access {
         Ok(if self.settings.tokens_needed { Caller::unknown() } else { Caller::local() })
     }
 
-    fn allow(&self, caller: &Caller, needed: goalgraph::protocol::api::Role) -> ApiResult<()> {
+    fn allow(&self, caller: &Caller, needed: Role) -> ApiResult<()> {
         match caller.role {
             _ if caller.token.is_none() && !self.settings.tokens_needed => Ok(()),
             None => Err(ApiError::token_needed(
                 "send a token as `Authorization: Bearer ..`, or log in with one; `goalgraph token create` makes one",
             )),
-            Some(has) if rules::allows(has, needed) => Ok(()),
+            Some(has) if has.allows(needed) => Ok(()),
             Some(has) => Err(ApiError::role_needed(has, needed)),
         }
     }

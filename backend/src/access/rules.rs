@@ -26,22 +26,6 @@ fn below_api(method: &Method, path: &str) -> Role {
     }
 }
 
-/// Whether somebody with the role `has` may do what needs `needed`: approvers may all that editors may, and these all
-/// that viewers may; executors are apart.
-pub(super) fn allows(has: Role, needed: Role) -> bool {
-    let rank = |role: Role| match role {
-        Role::Viewer => Some(0),
-        Role::Editor => Some(1),
-        Role::Approver => Some(2),
-        Role::Executor => None,
-    };
-    match (rank(has), rank(needed)) {
-        (Some(has), Some(needed)) => has >= needed,
-        (None, None) => true,
-        _ => false,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -65,20 +49,5 @@ mod tests {
         check(Method::POST, "/api/v1/specifications/0/revisions/1/revocation", Some(Role::Approver));
         check(Method::POST, "/api/v1/executors/arm/commands", Some(Role::Approver));
         check(Method::GET, "/api/v1/executor", Some(Role::Executor));
-    }
-
-    #[test]
-    fn executors_are_apart_from_the_others() {
-        use Role::{Approver, Editor, Executor, Viewer};
-        let allowed = |has, needed| assert!(allows(has, needed), "{has:?} {needed:?}");
-        let refused = |has, needed| assert!(!allows(has, needed), "{has:?} {needed:?}");
-        allowed(Viewer, Viewer);
-        allowed(Editor, Viewer);
-        allowed(Approver, Editor);
-        allowed(Executor, Executor);
-        refused(Viewer, Editor);
-        refused(Editor, Approver);
-        refused(Executor, Viewer);
-        refused(Approver, Executor);
     }
 }

@@ -38,7 +38,7 @@ impl Tokens {
 
     /// Whom the token `shown` stands for; none when it is no token of this server, or was revoked.
     pub(super) async fn of_token(&self, shown: &str) -> Result<Option<Caller>, StoreError> {
-        let Ok(token) = shown.parse::<Token>() else {
+        let Some(token) = Token::parse(shown) else {
             return Ok(None);
         };
         let row = match self.store.token(token.id()).await {
@@ -49,22 +49,21 @@ impl Tokens {
         if row.revoked_at_ms.is_some() || !self.is_proven(token, &row.hash).await {
             return Ok(None);
         }
-        Ok(Some(caller(row)))
+        caller(row).map(Some)
     }
 
     /// Whom the session with this secret stands for; none when there is none, it has expired, or its token was revoked.
     pub(super) async fn of_session(&self, secret: &str) -> Result<Option<Caller>, StoreError> {
-        let session = match self.store.session(&sha256_hex(secret.as_bytes())).await {
-            Ok(session) if session.expires_at_ms > clock::now_ms() => session,
-            Ok(_) | Err(StoreError::NotFound { .. }) => return Ok(None),
-            Err(error) => return Err(error),
+        let session = self.store.session(&sha256_hex(secret.as_bytes())).await?;
+        let Some(session) = session.filter(|session| session.expires_at_ms > clock::now_ms()) else {
+            return Ok(None);
         };
         let row = self.store.token(&session.token).await?;
-        Ok(row.revoked_at_ms.is_none().then(|| caller(row)))
+        if row.revoked_at_ms.is_some() { Ok(None) } else { caller(row).map(Some) }
     }
 
     async fn is_proven(&self, token: Token, hash: &str) -> bool {
-        let shown: [u8; 32] = Sha256::digest(token.to_string()).into();
+        let shown: [u8; 32] = Sha256::digest(token.reveal()).into();
         if self.proven.lock().unwrap_or_else(PoisonError::into_inner).get(&shown).is_some_and(|known| known == hash) {
             return true;
         }
@@ -84,6 +83,7 @@ impl Tokens {
     }
 }
 
-fn caller(row: TokenRow) -> Caller {
-    Caller { token: Some(row.id), name: Some(row.name), role: Some(row.role) }
+fn caller(row: TokenRow) -> Result<Caller, StoreError> {
+    let role = row.role.parse().map_err(|error| StoreError::Corrupt(format!("token {}: {error}", row.id)))?;
+    Ok(Caller { token: Some(row.id), name: Some(row.name), role: Some(role) })
 }

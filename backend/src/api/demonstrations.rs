@@ -1,11 +1,14 @@
 //! Demonstration files, kept once each under their SHA-256.
 
+use std::io;
+
 use axum::Json;
 use axum::body::Body;
 use axum::extract::State;
 use axum::http::header::{CONTENT_DISPOSITION, CONTENT_LENGTH, CONTENT_TYPE, ETAG};
 use axum::http::{HeaderMap, HeaderValue, StatusCode};
 use axum::response::IntoResponse;
+use futures_util::TryStreamExt;
 use goalgraph::protocol::api::{DemonstrationFile, Page};
 use serde::Deserialize;
 use tokio_util::io::ReaderStream;
@@ -16,7 +19,7 @@ use super::limits::{self, DEMONSTRATION_BYTES, line};
 use super::problem::{ApiError, ApiResult};
 use super::{Api, entries};
 use crate::clock;
-use crate::store::NewDemonstration;
+use crate::store::{NewDemonstration, StoreError};
 
 /// What a file is called.
 #[derive(Debug, Deserialize, IntoParams)]
@@ -38,6 +41,11 @@ pub(super) async fn put_demonstration(
     body: Body,
 ) -> ApiResult<(StatusCode, Json<DemonstrationFile>)> {
     let sha256 = digest(&sha256)?;
+    match api.store.demonstration(&sha256).await {
+        Ok(row) => return Ok((StatusCode::OK, Json(entries::demonstration(&row)))),
+        Err(StoreError::NotFound { .. }) => {}
+        Err(error) => return Err(error.into()),
+    }
     let length = headers.get(CONTENT_LENGTH).and_then(|value| value.to_str().ok()?.parse::<u64>().ok());
     if length.is_some_and(|bytes| bytes > DEMONSTRATION_BYTES) {
         return Err(ApiError::too_large(DEMONSTRATION_BYTES));
@@ -48,11 +56,11 @@ pub(super) async fn put_demonstration(
         media_type: line("content-type", media_type.unwrap_or("application/octet-stream"), limits::NAME)?,
         limit_bytes: DEMONSTRATION_BYTES,
         expected_sha256: Some(sha256),
-        added_at_ms: clock::now_ms(),
+        at_ms: clock::now_ms(),
     };
-    let (row, is_new) = api.store.put_demonstration(new, body.into_data_stream()).await?;
-    let status = if is_new { StatusCode::CREATED } else { StatusCode::OK };
-    Ok((status, Json(entries::demonstration(&row))))
+    let chunks = body.into_data_stream().map_err(io::Error::other);
+    let row = api.store.put_demonstration(new, chunks).await?;
+    Ok((StatusCode::CREATED, Json(entries::demonstration(&row))))
 }
 
 /// The bytes of a file.

@@ -5,7 +5,7 @@ use axum::http::header::ETAG;
 use goalgraph::protocol::api::{Approval, Decision, DemonstrationFile, Page, Revision, SpecificationEntry};
 
 use crate::clock::rfc3339;
-use crate::store::{self, ApprovalKind, ApprovalRow, DemonstrationRow, RevisionRow, SpecificationRow};
+use crate::store::{self, ApprovalKind, ApprovalRow, DemonstrationRow, LinkedDemonstration, RevisionRow, SpecificationRow};
 
 /// A page of rows, each turned by `entry`.
 pub(super) fn page<R, E>(rows: store::Page<R>, entry: impl Fn(&R) -> E) -> Page<E> {
@@ -56,6 +56,11 @@ pub(super) fn approval(row: &ApprovalRow) -> Approval {
 
 /// A demonstration file.
 pub(super) fn demonstration(row: &DemonstrationRow) -> DemonstrationFile {
+    DemonstrationFile { sha256: row.sha256.clone(), name: row.name.clone(), bytes: row.bytes }
+}
+
+/// A demonstration file as a specification knows it.
+pub(super) fn linked(row: &LinkedDemonstration) -> DemonstrationFile {
     DemonstrationFile { sha256: row.sha256.clone(), name: row.name.clone(), bytes: row.bytes }
 }
 

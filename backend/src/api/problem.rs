@@ -68,7 +68,6 @@ impl ApiError {
 
     /// Who asks has not the role for it.
     pub(crate) fn role_needed(has: Role, needed: Role) -> Self {
-        let [has, needed] = [has, needed].map(|role| format!("{role:?}").to_lowercase());
         Self::not_allowed(format!("this needs a token of the role {needed}; the one given has the role {has}"))
     }
 

@@ -9,7 +9,6 @@ use axum::http::StatusCode;
 use axum_extra::extract::CookieJar;
 use axum_extra::extract::cookie::{Cookie, SameSite};
 use goalgraph::protocol::api::{Login, Role, Session};
-use uuid::Uuid;
 
 use super::Api;
 use super::extract::Body;
@@ -17,6 +16,7 @@ use super::problem::{ApiError, ApiResult};
 use crate::access::{Access, Caller, SESSION_COOKIE, SESSION_HOURS};
 use crate::clock;
 use crate::digest::sha256_hex;
+use crate::token::random_secret;
 
 const HOUR_MS: i64 = 3_600_000;
 
@@ -42,8 +42,7 @@ pub(super) async fn open_session(
     if role == Role::Executor {
         return Err(ApiError::not_allowed("a token of the role executor connects executors; it opens no session"));
     }
-    // Two random numbers of 122 bits each.
-    let secret = format!("{}{}", Uuid::new_v4().simple(), Uuid::new_v4().simple());
+    let secret = random_secret().map_err(|error| ApiError::broken(&error))?;
     let now = clock::now_ms();
     api.store.delete_expired_sessions(now).await?;
     let expires_at_ms = now + SESSION_HOURS * HOUR_MS;

@@ -15,7 +15,7 @@ use super::problem::{ApiError, ApiResult};
 use super::{Api, entries};
 use crate::access::Caller;
 use crate::clock;
-use crate::store::{NewRevision, SpecificationRow, StoreError};
+use crate::store::{NewRevision, SpecificationRow};
 
 /// The specifications that the server keeps, the one saved last first.
 #[utoipa::path(get, path = "/specifications", tag = "specifications", params(ListQuery),
@@ -112,9 +112,4 @@ fn new_revision(caller: &Caller, save: Save) -> ApiResult<NewRevision> {
         saved_at_ms: clock::now_ms(),
         positions: save.positions.map(|positions| positions.to_string()),
     })
-}
-
-/// Whether the specification with this id is there.
-pub(super) async fn must_exist(api: &Api, id: &str) -> Result<(), StoreError> {
-    api.store.specification(id).await.map(|_| ())
 }

@@ -3,6 +3,8 @@
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+pub use super::role::{Role, UnknownRole};
+
 /// A part of a list.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -166,21 +168,6 @@ pub struct Session {
     pub role: Role,
     /// Whether this server asks for tokens.
     pub tokens_needed: bool,
-}
-
-/// What somebody may do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Role {
-    /// See everything.
-    Viewer,
-    /// Also save and delete.
-    Editor,
-    /// Also approve, revoke and command executors.
-    Approver,
-    /// Connect as an executor, and nothing else.
-    Executor,
 }
 
 /// A way in.
