@@ -6,3 +6,4 @@ pub(crate) mod infer;
 pub(crate) mod plan;
 pub(crate) mod schema;
 pub(crate) mod serve;
+pub(crate) mod store_arguments;

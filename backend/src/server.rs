@@ -12,7 +12,9 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::extract::State;
-use axum::http::header::{CONTENT_SECURITY_POLICY, REFERRER_POLICY, STRICT_TRANSPORT_SECURITY, X_CONTENT_TYPE_OPTIONS};
+use axum::http::header::{
+    CONTENT_SECURITY_POLICY, REFERRER_POLICY, STRICT_TRANSPORT_SECURITY, X_CONTENT_TYPE_OPTIONS,
+};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Request, Uri};
 use axum::middleware::{from_fn_with_state, map_response_with_state};
 use axum::response::{IntoResponse, Response};
@@ -50,16 +52,20 @@ pub fn app(assets: Assets, api: Api) -> Router {
     let https = access.settings.https;
     let around = ServiceBuilder::new()
         .set_request_id(REQUEST_ID, MakeRequestUuid)
-        .layer(TraceLayer::new_for_http().make_span_with(span).on_response(DefaultOnResponse::new().level(Level::DEBUG)))
-        .propagate_request_id(REQUEST_ID)
-        .layer(map_response_with_state(https, with_security_headers))
-        .layer(CatchPanicLayer::custom(|_| ApiError::broken(&"a handler panicked").into_response()));
+        .layer(
+            TraceLayer::new_for_http()
+                .make_span_with(span)
+                .on_response(DefaultOnResponse::new().level(Level::DEBUG)),
+        )
+        .propagate_request_id(REQUEST_ID);
     api::router(api)
         .layer(CompressionLayer::new())
         .route("/metrics", numbers)
         .fallback(get(file).with_state(assets))
         .layer(from_fn_with_state(metrics, metrics::count))
         .layer(from_fn_with_state(access, guard))
+        .layer(CatchPanicLayer::custom(|_| ApiError::broken(&"a handler panicked").into_response()))
+        .layer(map_response_with_state(https, with_security_headers))
         .layer(around)
 }
 

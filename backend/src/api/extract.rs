@@ -41,7 +41,9 @@ impl<T: DeserializeOwned + Send, S: Send + Sync> FromRequestParts<S> for PathPar
         let path = parts.uri.path().to_owned();
         match Path::from_request_parts(parts, state).await {
             Ok(Path(values)) => Ok(Self(values)),
-            Err(rejection) => Err(ApiError::not_found(format!("there is nothing at {path}: {}", rejection.body_text()))),
+            Err(rejection) => {
+                Err(ApiError::not_found(format!("there is nothing at {path}: {}", rejection.body_text())))
+            }
         }
     }
 }
