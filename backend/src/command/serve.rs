@@ -134,9 +134,9 @@ async fn access(
         if !tokens.iter().any(|token| token.revoked_at_ms.is_none()) {
             return Err(Failure::Usage(format!(
                 "error: --listen {}: tokens tell who may connect, and there is none yet; make one with\n  \
-                 goalgraph token create --role approver --name \"YOUR NAME\"{}",
+                 goalgraph token create \"YOUR NAME\" --role approver{}",
                 arguments.listen,
-                arguments.store.as_typed()
+                arguments.store.again()
             )));
         }
     }
