@@ -2,8 +2,8 @@
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Subcommand};
-use goalgraph_server::store::{NewToken, Store, StoreOptions, TokenRow};
 use goalgraph::protocol::api::Role;
+use goalgraph_server::store::{NewToken, Store, StoreOptions, TokenRow};
 use goalgraph_server::token::{Token, TokenError};
 use jiff::Timestamp;
 

@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod api;
 mod check_and_export;
+mod http;
 mod infer;
 mod plan;
 mod schema;
