@@ -5,6 +5,7 @@
 mod check_and_export;
 mod infer;
 mod plan;
+mod relay;
 mod schema;
 mod serve;
 mod support;
