@@ -1,5 +1,6 @@
 //! An executor or a monitor on the other end of a real socket.
 
+use std::collections::BTreeMap;
 use std::net::SocketAddr;
 use std::time::Duration;
 
@@ -19,6 +20,8 @@ const PATIENCE: Duration = Duration::from_secs(30);
 /// One end of a WebSocket.
 pub(crate) struct Client {
     pub(crate) socket: WebSocketStream<MaybeTlsStream<TcpStream>>,
+    executors: BTreeMap<String, ExecutorView>,
+    runs: BTreeMap<String, RunView>,
 }
 
 /// Opens a WebSocket; an error is the answer that came instead.
@@ -32,7 +35,7 @@ pub(crate) async fn open(
         request.headers_mut().insert("sec-websocket-protocol", subprotocol.parse().unwrap());
     }
     let (socket, _) = connect_async(request).await?;
-    Ok(Client { socket })
+    Ok(Client { socket, executors: BTreeMap::new(), runs: BTreeMap::new() })
 }
 
 impl Client {
@@ -132,32 +135,40 @@ impl Client {
         assert_eq!(self.hear().await, ToExecutor::Acknowledged { run: run.to_owned(), number });
     }
 
-    /// What a monitor is told next.
+    /// What a monitor is told next. The client keeps it in mind as a page does.
     pub(crate) async fn watch(&mut self) -> ToMonitor {
-        match self.frame().await {
+        let told: ToMonitor = match self.frame().await {
             Some(Message::Text(text)) => serde_json::from_str(&text).unwrap(),
             other => panic!("a message was expected, not {other:?}"),
+        };
+        let (ToMonitor::Snapshot { executors, runs, .. } | ToMonitor::Changes { executors, runs, .. }) =
+            &told;
+        for view in executors {
+            self.executors.insert(view.executor.clone(), view.clone());
         }
+        for view in runs {
+            self.runs.insert(view.run.clone(), view.clone());
+        }
+        told
     }
 
-    /// Watches until an executor is as wanted.
+    /// Watches until an executor that is shown is as wanted.
     pub(crate) async fn watch_executor(&mut self, wanted: impl Fn(&ExecutorView) -> bool) -> ExecutorView {
         loop {
-            let (ToMonitor::Snapshot { executors, .. } | ToMonitor::Changes { executors, .. }) =
-                self.watch().await;
-            if let Some(found) = executors.into_iter().find(&wanted) {
-                return found;
+            if let Some(found) = self.executors.values().find(|it| wanted(it)) {
+                return found.clone();
             }
+            self.watch().await;
         }
     }
 
-    /// Watches until a run is as wanted.
+    /// Watches until a run that is shown is as wanted.
     pub(crate) async fn watch_run(&mut self, wanted: impl Fn(&RunView) -> bool) -> RunView {
         loop {
-            let (ToMonitor::Snapshot { runs, .. } | ToMonitor::Changes { runs, .. }) = self.watch().await;
-            if let Some(found) = runs.into_iter().find(&wanted) {
-                return found;
+            if let Some(found) = self.runs.values().find(|it| wanted(it)) {
+                return found.clone();
             }
+            self.watch().await;
         }
     }
 }

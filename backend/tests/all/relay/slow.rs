@@ -33,7 +33,7 @@ async fn approve_many(bench: &Bench) -> Approved {
     last
 }
 
-#[tokio::test]
+#[tokio::test(flavor = "multi_thread")]
 async fn an_executor_that_does_not_read_gets_the_newest_and_not_everything() {
     let bench = Bench::with(patient()).await;
     let mut robot = bench.executor("arm").await;
@@ -50,7 +50,7 @@ async fn an_executor_that_does_not_read_gets_the_newest_and_not_everything() {
     assert!(got < APPROVALS, "{got} of {APPROVALS}");
 }
 
-#[tokio::test]
+#[tokio::test(flavor = "multi_thread")]
 async fn a_page_that_does_not_read_gets_the_newest_and_not_everything() {
     let bench = Bench::with(patient()).await;
     let mut page = bench.monitor().await;
@@ -69,9 +69,9 @@ async fn a_page_that_does_not_read_gets_the_newest_and_not_everything() {
     reading.abort();
 }
 
-#[tokio::test]
+#[tokio::test(flavor = "multi_thread")]
 async fn whoever_does_not_read_for_too_long_is_dropped() {
-    let bench = Bench::with(RelayLimits { send: Duration::from_millis(300), ..patient() }).await;
+    let bench = Bench::with(RelayLimits { send: Duration::from_secs(1), ..patient() }).await;
     let _deaf_page = bench.monitor().await;
     let mut page = bench.monitor().await;
     let _deaf = bench.executor("arm").await;
