@@ -44,15 +44,15 @@ pub(super) async fn store(relay: &Inner, events: BTreeMap<String, Vec<Event>>) {
             for part in &accepted {
                 part.events
                     .iter()
-                    .for_each(|event| refuse(relay, event, unavailable(&part.run, part.next())));
+                    .for_each(|event| refuse(relay, event, unavailable(&part.run, Some(part.next()))));
             }
         }
     }
 }
 
 impl Accepted {
-    fn next(&self) -> Option<u64> {
-        Some(self.stored + 1)
+    fn next(&self) -> u64 {
+        self.stored + 1
     }
 
     fn to_store(&self, received_at_ms: i64) -> RunEvents {

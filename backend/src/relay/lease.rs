@@ -67,7 +67,7 @@ mod tests {
         let presence = Presence::begin();
         assert!(presence.is_live(Duration::ZERO), "connected: its own connection decides");
         presence.end();
-        assert!(presence.is_live(Duration::from_secs(3600)));
+        assert!(presence.is_live(Duration::from_hours(1)));
         assert!(!presence.is_live(Duration::ZERO));
     }
 }
