@@ -7,4 +7,5 @@ mod infer;
 mod plan;
 mod schema;
 mod serve;
+mod store;
 mod support;
