@@ -1,4 +1,4 @@
-//! The store, on real databases: each test runs on `SQLite` and on PostgreSQL.
+//! The store, on real databases: each test runs on SQLite and on PostgreSQL.
 
 mod access;
 mod approvals;

@@ -35,15 +35,19 @@ async fn one_revision_is_approved_at_a_time_and_the_journal_keeps_all(place: Arc
     assert_eq!(journal.rows, [second]);
     let rest = store.approvals(&id, &PageRequest { after: journal.next, limit: 1 }).await.unwrap();
     assert_eq!((rest.rows, rest.next), (vec![first], None));
+    let again = approve(&store, &id, 2, Some(2), signature("Ada", 30)).await.unwrap_err();
+    assert_eq!(again.to_string(), "revision 2 was approved by Grace");
 }
 
 async fn of_two_approvers_at_once_one_wins_and_the_other_learns_who(place: Arc<Place>) {
     let store = place.open().await;
     let id = store.create(revision("1")).await.unwrap().id;
     store.save(&id, 1, revision("2")).await.unwrap();
+    store.save(&id, 2, revision("3")).await.unwrap();
     let mut expected = None;
     for round in 0..10 {
-        let approvers = [("Ada", 1), ("Grace", 2)].map(|(who, number)| {
+        let next = |number| expected.map_or(number, |it: u64| 1 + (it - 1 + number) % 3);
+        let approvers = [("Ada", next(1)), ("Grace", next(2))].map(|(who, number)| {
             let (store, id) = (store.clone(), id.clone());
             tokio::spawn(async move { approve(&store, &id, number, expected, signature(who, round)).await })
         });
@@ -59,7 +63,7 @@ async fn of_two_approvers_at_once_one_wins_and_the_other_learns_who(place: Arc<P
         assert_eq!((won.len(), lost.len()), (1, 1), "round {round}: {won:?}");
         let winner = won.remove(0);
         expected = Some(winner.revision);
-        let sentence = format!("revision {} was approved meanwhile by {}", winner.revision, winner.who);
+        let sentence = format!("revision {} was approved by {}", winner.revision, winner.who);
         assert_eq!(lost[0].to_string(), sentence);
         assert_eq!(lost, [Conflict::Approved(Some(winner))]);
     }
@@ -100,13 +104,13 @@ async fn a_revoked_approval_leaves_none(place: Arc<Place>) {
     approve(&store, &id, 1, None, signature("Ada", 2)).await.unwrap();
     for number in [0, 2] {
         let other = store.revoke(&id, number, signature("Ada", 3)).await.unwrap_err();
-        assert_eq!(other.to_string(), "revision 1 was approved meanwhile by Ada");
+        assert_eq!(other.to_string(), "revision 1 was approved by Ada");
     }
     let revoked = store.revoke(&id, 1, signature("Grace", 4)).await.unwrap();
     assert_eq!((revoked.kind, revoked.revision), (ApprovalKind::Revoked, 1));
     assert_eq!(store.approved(&id).await.unwrap(), None);
     let late = approve(&store, &id, 1, Some(1), signature("Ada", 5)).await.unwrap_err();
-    assert_eq!(late.to_string(), "revision 1 was revoked meanwhile by Grace");
+    assert_eq!(late.to_string(), "revision 1 was revoked by Grace");
     approve(&store, &id, 1, None, signature("Ada", 6)).await.unwrap();
     assert_eq!(store.verify().await.unwrap().faults, Vec::<String>::new());
 }
