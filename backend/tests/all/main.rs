@@ -8,4 +8,5 @@ mod plan;
 mod relay;
 mod schema;
 mod serve;
+mod store;
 mod support;
