@@ -77,7 +77,7 @@ async fn connect_monitor(
     upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
 ) -> ApiResult<Response> {
     let caller = SocketCaller { token_id: caller.token, name: caller.name };
-    Ok(crate::relay::monitor_socket(socket(upgrade)?, api.relay, caller).await)
+    Ok(crate::relay::monitor_socket(socket(upgrade)?, api.relay, caller))
 }
 
 fn socket(upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>) -> ApiResult<WebSocketUpgrade> {

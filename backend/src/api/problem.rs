@@ -7,6 +7,7 @@ use axum::response::{IntoResponse, Response};
 use goalgraph::protocol::api::{Problem, Role};
 
 use super::entries;
+use crate::relay::RelayError;
 use crate::store::{Conflict, StoreError};
 
 /// What every handler returns.
@@ -175,6 +176,16 @@ impl From<StoreError> for ApiError {
             StoreError::TooLarge { limit_bytes } => Self::too_large(limit_bytes),
             StoreError::Invalid(_) => Self::invalid(detail),
             _ => Self::broken(&detail),
+        }
+    }
+}
+
+impl From<RelayError> for ApiError {
+    fn from(error: RelayError) -> Self {
+        match error {
+            RelayError::Store(error) => error.into(),
+            RelayError::Closing => Self::busy(error.to_string()),
+            _ => Self::broken(&error),
         }
     }
 }

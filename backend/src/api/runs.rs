@@ -42,20 +42,15 @@ async fn list_runs(
     let limit = query.limit.unwrap_or(PageRequest::default().limit).clamp(1, MAX_PAGE);
     let page = PageRequest { after: query.after, limit };
     let filter = RunFilter { specification: query.specification, open_only: false };
-    let rows = api.store.runs(&filter, &page).await?;
-    let mut items = Vec::new();
-    for row in &rows.rows {
-        items.push(api.relay.view(row).await?);
-    }
-    Ok(Json(Page { items, next: rows.next }))
+    let runs = api.relay.runs(&filter, &page).await?;
+    Ok(Json(Page { items: runs.rows, next: runs.next }))
 }
 
 /// One run as it is now.
 #[utoipa::path(get, path = "/runs/{run}", tag = "runs", params(("run" = String, Path)),
     responses((status = 200, body = RunView)))]
 async fn read_run(State(api): State<Api>, PathParts(run): PathParts<String>) -> ApiResult<Json<RunView>> {
-    let row = api.store.run(&run).await?;
-    Ok(Json(api.relay.view(&row).await?))
+    Ok(Json(api.relay.run(&run).await?))
 }
 
 /// Which events.

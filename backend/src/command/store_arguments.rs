@@ -17,9 +17,13 @@ pub(crate) struct StoreArguments {
     /// Folder of what is kept; without it a folder of yours, such as ~/.local/share/goalgraph
     #[arg(long, value_name = "DIR", env = "GOALGRAPH_DATA")]
     data: Option<PathBuf>,
-    /// A PostgreSQL database, as postgres://user:password@host/name, instead of SQLite in the folder; the environment
-    /// shows it to fewer people than the command line
-    #[arg(long, value_name = "URL", env = "GOALGRAPH_DATABASE", hide_env_values = true)]
+    /// A PostgreSQL database instead of SQLite in the folder; the environment shows its password to fewer people
+    #[arg(
+        long,
+        value_name = "postgres://USER:PASSWORD@HOST/NAME",
+        env = "GOALGRAPH_DATABASE",
+        hide_env_values = true
+    )]
     database: Option<String>,
 }
 

@@ -7,6 +7,8 @@ mod check_and_export;
 mod http;
 mod infer;
 mod plan;
+mod relay;
 mod schema;
 mod serve;
+mod store;
 mod support;

@@ -15,7 +15,7 @@ use crate::process::{first_line, run_quietly};
 pub(super) const VARIABLE: &str = "GOALGRAPH_TEST_POSTGRES";
 
 /// How long it may take to start on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_mins(1);
 
 /// Nothing of it outlives the tests, so nothing needs to be on the disk.
 const SETTINGS: [&str; 5] = [

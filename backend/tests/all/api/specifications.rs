@@ -125,7 +125,8 @@ fn content_that_is_no_specification_is_refused_with_its_place() {
         "{}",
         refused(&save("{", "Ada"))
     );
-    let contradicting = specification("Blocks", &["a b"]).replace("\"probability\": 1", "\"probability\": 0.5");
+    let contradicting =
+        specification("Blocks", &["a b"]).replace("\"probability\": 1", "\"probability\": 0.5");
     assert!(refused(&save(&contradicting, "Ada")).contains("probability"));
     assert!(refused(&json!({"author": "Ada"})).contains("content"));
     let long = json!({"content": specification("Blocks", &["a"]), "author": "A".repeat(201)});
