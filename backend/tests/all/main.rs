@@ -6,6 +6,7 @@ mod api;
 mod check_and_export;
 mod http;
 mod infer;
+mod killed;
 mod plan;
 mod relay;
 mod schema;
