@@ -21,7 +21,13 @@ on_every_database! {
 }
 
 fn named(name: &str) -> NewDemonstration {
-    NewDemonstration { name: name.to_owned(), media_type: "text/csv".to_owned(), limit_bytes: 10, at_ms: 1 }
+    NewDemonstration {
+        name: name.to_owned(),
+        media_type: "text/csv".to_owned(),
+        limit_bytes: 10,
+        expected_sha256: None,
+        at_ms: 1,
+    }
 }
 
 /// Puts a file that comes in pieces.
