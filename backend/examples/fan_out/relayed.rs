@@ -38,7 +38,7 @@ impl Relayed {
         let store = Store::open(&Location::folder(folder.path()), StoreOptions::default()).await?;
         let specification = store.create(revision(0)).await?.id;
         // Nobody says anything in a round, however long it takes.
-        let lease = Duration::from_secs(3600);
+        let lease = Duration::from_hours(1);
         let limits = RelayLimits { lease, executors, ..RelayLimits::default() };
         let relay = Relay::open(store.clone(), limits).await?;
         let listener = TcpListener::bind("127.0.0.1:0").await?;
