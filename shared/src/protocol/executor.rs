@@ -84,6 +84,8 @@ pub enum ToExecutor {
         specification: String,
         /// Number of the approved revision.
         revision: u64,
+        /// Place of its approval in the server's journal: what was approved later has a higher one.
+        approval: u64,
         /// SHA-256 of the UTF-8 bytes of `content`, hexadecimal.
         sha256: String,
         /// The specification file (`*.goalgraph.json`), byte for byte.
