@@ -44,17 +44,25 @@ pub struct Execution {
     specification: Arc<Specification>,
     probabilities: Probabilities,
     run: Run,
-    /// Whether the plan leads to an end.
-    complete: bool,
-    /// Whether the plan no longer fits where the run is and what is available.
-    outdated: bool,
-    /// Whether something has become available since that the plan leaves out.
-    improvable: bool,
+    worth: Worth,
     planned: bool,
     pausing: bool,
     /// Where it last reported to wait.
     waits_in: Option<StateId>,
     reported: Vec<Numbered>,
+}
+
+/// What the plan is worth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Worth {
+    /// It no longer fits where the run is and what is available.
+    Outdated,
+    /// It leads to no end: it is what can be done meanwhile.
+    Meanwhile,
+    /// It leads to an end.
+    Complete,
+    /// It leads to an end, but something has become available that it leaves out.
+    Improvable,
 }
 
 impl Execution {
@@ -64,9 +72,7 @@ impl Execution {
             probabilities: specification.pdfa.probabilities(specification.semantics),
             run: Run::new(&specification.pdfa),
             specification,
-            complete: false,
-            outdated: true,
-            improvable: false,
+            worth: Worth::Outdated,
             planned: false,
             pausing: false,
             waits_in: None,
@@ -121,7 +127,9 @@ impl Execution {
             self.report(RunEvent::Failed { reason });
             return;
         }
-        self.outdated |= !expected || self.improvable;
+        if !expected || self.worth == Worth::Improvable {
+            self.worth = Worth::Outdated;
+        }
         self.go_on();
     }
 
@@ -129,7 +137,9 @@ impl Execution {
         if self.run.unavailable.contains(&sub_goal) {
             return;
         }
-        self.outdated |= self.run.plan.contains(&sub_goal);
+        if self.run.plan.contains(&sub_goal) {
+            self.worth = Worth::Outdated;
+        }
         self.report(RunEvent::Unavailable { sub_goal, reason });
         self.go_on();
     }
@@ -139,8 +149,10 @@ impl Execution {
             return;
         }
         self.report(RunEvent::Available { sub_goal });
-        self.improvable = true;
-        self.outdated |= !self.complete;
+        self.worth = match self.worth {
+            Worth::Complete | Worth::Improvable => Worth::Improvable,
+            Worth::Meanwhile | Worth::Outdated => Worth::Outdated,
+        };
         self.go_on();
     }
 
@@ -164,12 +176,13 @@ impl Execution {
     /// Plans where that is needed, then begins what comes next, or ends, or waits, or pauses.
     fn go_on(&mut self) {
         if self.pausing {
-            if self.run.phase != Phase::Paused && (self.run.active.is_none() || self.outdated) {
+            let interrupted = self.run.active.is_none() || self.worth == Worth::Outdated;
+            if self.run.phase != Phase::Paused && interrupted {
                 self.report(RunEvent::Paused);
             }
             return;
         }
-        if self.outdated {
+        if self.worth == Worth::Outdated {
             self.plan_anew();
         } else if self.run.plan.is_empty() {
             self.rest();
@@ -183,12 +196,12 @@ impl Execution {
         let from = self.run.state.unwrap_or(self.specification.pdfa.initial);
         let unavailable = self.run.unavailable.clone();
         let request = PlanRequest { from, unavailable, strategy: Strategy::Greedy };
-        let (plan, complete) = match plan(&self.specification.pdfa, &self.probabilities, &request) {
-            Ok(plan) => (plan, true),
-            Err(NoPlan::OutOfReach { meanwhile, .. }) => (meanwhile, false),
+        let (plan, worth) = match plan(&self.specification.pdfa, &self.probabilities, &request) {
+            Ok(plan) => (plan, Worth::Complete),
+            Err(NoPlan::OutOfReach { meanwhile, .. }) => (meanwhile, Worth::Meanwhile),
             Err(NoPlan::UnknownState(_)) => return,
         };
-        (self.outdated, self.improvable, self.complete) = (false, false, complete);
+        self.worth = worth;
         if plan.word.is_empty() {
             self.rest();
         } else if plan.word != self.run.plan {
@@ -209,7 +222,7 @@ impl Execution {
 
     /// There is nothing to do: because the task may end here, or until something becomes available.
     fn rest(&mut self) {
-        if self.complete {
+        if self.worth == Worth::Complete {
             self.report(RunEvent::Finished);
         } else if let Some(state) = self.run.state.filter(|_| self.waits_in != self.run.state) {
             self.waits_in = Some(state);

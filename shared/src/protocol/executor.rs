@@ -3,9 +3,14 @@
 //! Every message is one JSON object in one text frame. The executor speaks first ([`FromExecutor::Hello`]); the server
 //! answers with [`ToExecutor::Welcome`] and the approved specification. docs/executor-protocol.md tells the whole of it.
 
+mod transcript;
+
 use serde::{Deserialize, Serialize};
 
 use crate::run::RunEvent;
+pub use transcript::Spoken;
+#[cfg(feature = "schema")]
+pub use transcript::json_schema;
 
 /// The WebSocket subprotocol, version included.
 pub const SUBPROTOCOL: &str = "goalgraph.executor.v1";
