@@ -48,7 +48,7 @@ class Specification:
     @staticmethod
     def read(content: str, sha256: str, revision: int) -> Specification:
         """Checks the SHA-256 and reads the file; raises `Tampered`."""
-        received = hashlib.sha256(content.encode()).hexdigest()
+        received = Specification.digest(content)
         if received != sha256.lower():
             raise Tampered(f"the content has the SHA-256 {received}, not {sha256} as the server says")
         try:
@@ -76,6 +76,11 @@ class Specification:
         if found.initial not in found.live:
             raise Tampered("from its initial state no end can be reached")
         return found
+
+    @staticmethod
+    def digest(content: str) -> str:
+        """SHA-256 of the content, hexadecimal."""
+        return hashlib.sha256(content.encode()).hexdigest()
 
     def plan(self, start: str, unavailable: Set[str]) -> Plan:
         """The most probable available way at each state, backing out of dead ends; else what can be done meanwhile."""
@@ -112,7 +117,8 @@ class Specification:
 
     def _as_far_as_possible(self, start: str, unavailable: Set[str]) -> tuple[str, ...]:
         """The longest way that keeps an end in reach for when everything is available again."""
-        longest, word, path = (), list[str](), [start]
+        longest: tuple[str, ...] = ()
+        word, path = list[str](), [start]
         deepest, stack = {start: 0}, [self._available(start, unavailable)]
         while stack:
             way = next(stack[-1], None)
