@@ -3,6 +3,7 @@
 mod replies;
 mod specification;
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use goalgraph::execution::Observation;
@@ -52,8 +53,9 @@ pub struct Session {
     heartbeat: Duration,
     lease: Duration,
     held: Option<Held>,
-    /// Place in the journal of the last approval that was accepted.
-    last_approval: u64,
+    /// Place in the journal of the approval accepted last, by specification: there is no way back behind it.
+    approvals: BTreeMap<String, u64>,
+    accepted_last: u64,
     /// Whether the specification held has not been run yet.
     fresh: bool,
     work: Option<Work>,
@@ -76,7 +78,8 @@ impl Session {
             heartbeat: Duration::from_secs(5),
             lease: Duration::from_secs(15),
             held: None,
-            last_approval: 0,
+            approvals: BTreeMap::new(),
+            accepted_last: 0,
             fresh: false,
             work: None,
             runs_over: 0,

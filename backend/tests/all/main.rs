@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used)]
 
 mod check_and_export;
+mod executor;
+mod executor_session;
 mod infer;
 mod plan;
 mod schema;

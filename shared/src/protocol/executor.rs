@@ -41,7 +41,7 @@ pub enum FromExecutor {
     },
     /// It will not follow the specification with this SHA-256.
     Rejected {
-        /// SHA-256 of the content as it was received, hexadecimal.
+        /// The SHA-256 that the server named, whatever that of the content is.
         sha256: String,
         /// Why, for people.
         reason: String,

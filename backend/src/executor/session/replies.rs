@@ -5,7 +5,7 @@ use std::time::Duration;
 use goalgraph::protocol::executor::{Command, Denial, FromExecutor, Refusal, ToExecutor};
 
 use super::Session;
-use super::specification::{Offer, examine, sha256};
+use super::specification::{Offer, examine};
 
 impl Session {
     /// A message of the server was read.
@@ -13,8 +13,9 @@ impl Session {
         self.silence = Duration::ZERO;
         match message {
             ToExecutor::Welcome { heartbeat_ms, lease_ms, .. } => self.welcome(heartbeat_ms, lease_ms),
-            ToExecutor::Specification { revision, approval, sha256, content, .. } => {
-                self.consider(&Offer { revision, approval, sha256: &sha256, content: &content });
+            ToExecutor::Specification { specification, revision, approval, sha256, content } => {
+                let (sha256, content) = (&sha256, &content);
+                self.consider(&Offer { specification: &specification, revision, approval, sha256, content });
             }
             ToExecutor::Withdrawn => {
                 self.held = None;
@@ -48,19 +49,21 @@ impl Session {
     }
 
     fn consider(&mut self, offer: &Offer) {
-        match examine(offer, self.last_approval) {
+        let last = self.approvals.get(offer.specification).copied().unwrap_or(0);
+        match examine(offer, last) {
             Ok(held) => {
                 self.lines.push(format!("accepted {}", held.name()));
                 self.messages.push(FromExecutor::Accepted { sha256: held.sha256.clone() });
-                self.fresh |= offer.approval > self.last_approval;
-                self.last_approval = offer.approval;
+                self.fresh |= offer.approval != self.accepted_last;
+                self.accepted_last = offer.approval;
+                self.approvals.insert(offer.specification.to_owned(), offer.approval);
                 self.held = Some(held);
                 self.begin_by_itself();
             }
             Err(reason) => {
                 self.held = None;
                 self.lines.push(format!("rejected r{}: {reason}", offer.revision));
-                self.messages.push(FromExecutor::Rejected { sha256: sha256(offer.content), reason });
+                self.messages.push(FromExecutor::Rejected { sha256: offer.sha256.to_owned(), reason });
             }
         }
     }
@@ -122,7 +125,11 @@ impl Session {
     /// What the server could not take before a heartbeat, it may take now.
     fn send_again(&mut self) {
         if self.work.as_mut().is_some_and(|work| std::mem::take(&mut work.put_off)) {
-            self.send_from(1);
+            if self.work.as_ref().is_some_and(|work| work.granted) {
+                self.send_from(1);
+            } else {
+                self.ask_again();
+            }
         }
     }
 

@@ -26,6 +26,8 @@ impl Held {
 
 /// What was sent as the approved specification.
 pub(super) struct Offer<'a> {
+    /// Id of the specification.
+    pub(super) specification: &'a str,
     /// Number of the revision.
     pub(super) revision: u64,
     /// Place of its approval in the journal.
@@ -37,11 +39,12 @@ pub(super) struct Offer<'a> {
 }
 
 /// SHA-256 of `content`, hexadecimal.
-pub(super) fn sha256(content: &str) -> String {
+fn sha256(content: &str) -> String {
     Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// Accepts the offer, or says in one sentence why not.
+/// Accepts the offer, or says in one sentence why not. `last_approval` is the place in the journal of the approval of the
+/// same specification that was accepted last; 0 when there was none.
 pub(super) fn examine(offer: &Offer, last_approval: u64) -> Result<Held, String> {
     let sha256 = sha256(offer.content);
     if !sha256.eq_ignore_ascii_case(offer.sha256) {

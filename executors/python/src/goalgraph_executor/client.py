@@ -39,7 +39,8 @@ class Executor:
         self.name, self.robot, self.token, self.auto = name, robot, token, auto
         self.run: Run | None = None
         self.specification: Specification | None = None
-        self._approval, self._runs_over, self._runs_wanted = 0, 0, 0
+        self._runs_over, self._runs_wanted = 0, 0
+        self._approvals: dict[str, int] = {}
         self._unstored: list[tuple[int, dict[str, Any]]] = []
         self._granted, self._put_off = False, False
         self._heartbeat_s, self._lease_s, self._leased_until = 5.0, 15.0, 0.0
@@ -122,7 +123,7 @@ class Executor:
                 self._obey(message["command"])
             case "heartbeat" if self._put_off:
                 self._put_off = False
-                self._send_from(1)
+                self._send_from(1) if self._granted else self._ask()
             case "refused":
                 log.warning("refused: %s", message["message"])
                 if message.get("run") is None or mine:
@@ -130,14 +131,16 @@ class Executor:
 
     def _consider(self, message: dict[str, Any]) -> None:
         try:
-            if message["approval"] < self._approval:
-                raise Tampered(f"approval {message['approval']} is older than approval {self._approval}, which was accepted")
+            last = self._approvals.get(message["specification"], 0)
+            if message["approval"] < last:
+                raise Tampered(f"approval {message['approval']} is older than approval {last}, which was accepted")
             specification = Specification.read(message["content"], message["sha256"], message["revision"])
         except Tampered as error:
             log.warning("rejected r%s: %s", message["revision"], error)
             self.specification = None
-            return self._send("rejected", sha256=Specification.digest(message["content"]), reason=str(error))
-        self.specification, self._approval = specification, message["approval"]
+            return self._send("rejected", sha256=message["sha256"], reason=str(error))
+        self.specification = specification
+        self._approvals[message["specification"]] = message["approval"]
         self._send("accepted", sha256=specification.sha256)
         if self.auto and self.run is None:
             self._begin()
