@@ -18,7 +18,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use command::{check, executor, export, infer, plan, schema, serve};
+use command::{backup, check, executor, export, infer, plan, schema, serve, token, verify};
 
 /// Recorded demonstrations in, a probabilistic automaton of the task out.
 #[derive(Parser)]
@@ -44,6 +44,12 @@ enum Command {
     Schema(schema::Arguments),
     /// Serves the app to browsers on this computer
     Serve(serve::Arguments),
+    /// Makes, lists and revokes the tokens that other computers need
+    Token(token::Arguments),
+    /// Copies everything that the server keeps, also while it runs
+    Backup(backup::Arguments),
+    /// Checks that everything that the server keeps is what was stored
+    Verify(verify::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -55,6 +61,9 @@ fn main() -> ExitCode {
         Command::Executor(arguments) => executor::run(&arguments),
         Command::Schema(arguments) => schema::run(&arguments),
         Command::Serve(arguments) => serve::run(&arguments),
+        Command::Token(arguments) => token::run(&arguments),
+        Command::Backup(arguments) => backup::run(&arguments),
+        Command::Verify(arguments) => verify::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

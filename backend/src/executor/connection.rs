@@ -4,7 +4,7 @@ mod address;
 
 use std::future::Future;
 use std::pin::Pin;
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::Duration;
 
 use futures_util::{SinkExt, StreamExt};
 use goalgraph::protocol::executor::close;
@@ -16,6 +16,7 @@ use uuid::Uuid;
 
 use super::backoff::Backoff;
 use super::session::Session;
+use crate::clock::now_ms;
 pub use address::{Address, ConnectionError};
 
 /// How often the robot moves.
@@ -195,9 +196,4 @@ fn closed(code: u16, reason: &str) -> Lost {
         close::REVOKED => Lost::ForGood(ConnectionError::Revoked),
         _ => Lost::ForNow(format!("the server closed the connection ({code} {reason})")),
     }
-}
-
-fn now_ms() -> i64 {
-    let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
-    i64::try_from(since.as_millis()).unwrap_or(i64::MAX)
 }

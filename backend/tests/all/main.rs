@@ -2,11 +2,15 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod api;
 mod check_and_export;
 mod executor;
 mod executor_session;
+mod http;
 mod infer;
 mod plan;
+mod relay;
 mod schema;
 mod serve;
+mod store;
 mod support;

@@ -2,10 +2,9 @@
 
 use std::sync::Arc;
 
-use goalgraph::specification::{Severity, Specification};
-use sha2::{Digest, Sha256};
-
+use crate::digest::sha256_hex;
 use crate::executor::lines::short;
+use goalgraph::specification::{Severity, Specification};
 
 /// A specification that was accepted.
 #[derive(Clone, Debug)]
@@ -38,15 +37,10 @@ pub(super) struct Offer<'a> {
     pub(super) content: &'a str,
 }
 
-/// SHA-256 of `content`, hexadecimal.
-fn sha256(content: &str) -> String {
-    Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
 /// Accepts the offer, or says in one sentence why not. `last_approval` is the place in the journal of the approval of the
 /// same specification that was accepted last; 0 when there was none.
 pub(super) fn examine(offer: &Offer, last_approval: u64) -> Result<Held, String> {
-    let sha256 = sha256(offer.content);
+    let sha256 = sha256_hex(offer.content.as_bytes());
     if !sha256.eq_ignore_ascii_case(offer.sha256) {
         let (told, received) = (short(offer.sha256), short(&sha256));
         return Err(format!("the content has the SHA-256 {received}.., not {told}.. as the server says"));
