@@ -2,6 +2,7 @@
 
 use std::future::Future;
 use std::io;
+use std::path::PathBuf;
 
 use clap::Args;
 use goalgraph::protocol::executor::MAX_ID;
@@ -20,6 +21,9 @@ pub(crate) struct Arguments {
     /// Token of the role executor, for servers that ask for one
     #[arg(long, env = "GOALGRAPH_TOKEN", hide_env_values = true)]
     token: Option<String>,
+    /// Authorities to believe instead of the public ones with wss, a PEM file
+    #[arg(long, value_name = "FILE")]
+    ca: Option<PathBuf>,
     /// Name of the robot, other than that of every other executor
     #[arg(long, default_value = "simulated")]
     name: String,
@@ -39,7 +43,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "G1,G2,..", value_delimiter = ',')]
     fail: Vec<String>,
     /// How fast things move, in meters (or whatever the unit of the features is) a second
-    #[arg(long, value_name = "M_PER_S", default_value_t = 0.25)]
+    #[arg(long, value_name = "M_PER_S", default_value_t = 0.1)]
     speed: f64,
     /// Begin so many runs without being told to, one after the other, then end
     #[arg(long, value_name = "N", conflicts_with_all = ["auto", "once"], value_parser = clap::value_parser!(u64).range(1..))]
@@ -61,6 +65,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let settings = settings(arguments)?;
     let address = Address::new(&arguments.url, arguments.token.clone(), arguments.specification.as_deref())
         .map_err(|error| Failure::Usage(format!("error: --url {error}")))?;
+    let address = match &arguments.ca {
+        Some(file) => address.trusting(file).map_err(|error| Failure::input(error.to_string()))?,
+        None => address,
+    };
     let say = |line: &str| {
         // Without a standard output there is nobody to read it.
         let _ = output::print(&format!("{line}\n"));

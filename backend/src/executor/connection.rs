@@ -1,6 +1,7 @@
 //! The socket of the simulated robot: made, used, and made again when it is lost.
 
 mod address;
+mod trust;
 
 use std::future::Future;
 use std::pin::Pin;
@@ -11,7 +12,7 @@ use goalgraph::protocol::executor::close;
 use tokio::net::TcpStream;
 use tokio::time::{Instant, Interval, MissedTickBehavior, interval, sleep, timeout};
 use tokio_tungstenite::tungstenite::{self, Message};
-use tokio_tungstenite::{MaybeTlsStream, WebSocketStream, connect_async};
+use tokio_tungstenite::{MaybeTlsStream, WebSocketStream, connect_async_tls_with_config};
 use uuid::Uuid;
 
 use super::backoff::Backoff;
@@ -88,7 +89,8 @@ struct Shell<S> {
 impl<S: FnMut(&str)> Shell<S> {
     /// One connection, from its attempt to its end; an end without error is that of the session.
     async fn connection(&mut self, address: &Address) -> Result<(), Lost> {
-        let attempt = timeout(PATIENCE, connect_async(address.request()));
+        let connecting = connect_async_tls_with_config(address.request(), None, true, address.connector());
+        let attempt = timeout(PATIENCE, connecting);
         let socket = match self.meanwhile(attempt).await {
             None => return Ok(()),
             Some(Ok(Ok((socket, _)))) => socket,

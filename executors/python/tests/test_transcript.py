@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from websockets.asyncio.server import Server, ServerConnection, serve
 from websockets.exceptions import ConnectionClosed
+from websockets.http11 import Request, Response
 from websockets.typing import Subprotocol
 
 from goalgraph_executor import Executor, Refused, SubGoal, Unavailable
@@ -118,6 +119,25 @@ def test_what_was_tampered_with_or_is_stale_is_rejected_and_never_run() -> None:
     assert heard[0]["sha256"] == SPECIFICATION["sha256"]
     assert heard[0]["reason"].startswith("the content has the SHA-256 ")
     assert heard[2]["reason"] == "approval 1 is older than approval 5, which was accepted"
+
+
+def test_a_token_that_is_refused_is_said_and_not_tried_again() -> None:
+    asked: list[str | None] = []
+
+    def refuse(connection: ServerConnection, request: Request) -> Response:
+        asked.append(request.headers.get("Authorization"))
+        return connection.respond(401, "this token was revoked")
+
+    async def run() -> None:
+        async def handle(socket: ServerConnection) -> None:
+            raise AssertionError("the connection was refused")
+
+        async with serve(handle, "127.0.0.1", 0, process_request=refuse) as server:
+            await Executor(url_of(server), "cell 4", HiddenRed(), token="goalgraph_a_b").serve()
+
+    with pytest.raises(Refused, match="HTTP status 401 this token was revoked"):
+        asyncio.run(run())
+    assert asked == ["Bearer goalgraph_a_b"]
 
 
 def test_what_the_server_could_not_take_is_sent_again() -> None:

@@ -1,13 +1,17 @@
 //! Where the server is, and what its refusals mean.
 
 use std::fmt;
+use std::path::Path;
+use std::sync::Arc;
 
 use goalgraph::protocol::executor::SUBPROTOCOL;
+use rustls::ClientConfig;
 use serde_json::Value;
 use thiserror::Error;
+use tokio_tungstenite::Connector;
 use tokio_tungstenite::tungstenite::{self, ClientRequestBuilder, http::Uri};
 
-use super::Lost;
+use super::{Lost, trust};
 
 /// Path of the WebSocket, where the URL has none.
 const PATH: &str = "/api/v1/executor";
@@ -20,6 +24,14 @@ pub enum ConnectionError {
     BadAddress {
         /// The URL.
         url: String,
+    },
+    /// The file of authorities is none.
+    #[error("{file}: {why}; expected certificates in PEM")]
+    Certificate {
+        /// The file.
+        file: String,
+        /// What is wrong.
+        why: String,
     },
     /// The server wants a token, or another one.
     #[error(
@@ -62,6 +74,7 @@ pub enum ConnectionError {
 pub struct Address {
     uri: Uri,
     token: Option<String>,
+    trust: Option<Arc<ClientConfig>>,
 }
 
 impl Address {
@@ -84,7 +97,20 @@ impl Address {
         let queries: Vec<String> = uri.query().map(str::to_owned).into_iter().chain(wanted).collect();
         let query = if queries.is_empty() { String::new() } else { format!("?{}", queries.join("&")) };
         let uri = format!("{scheme}://{authority}{path}{query}").parse().map_err(|_| bad())?;
-        Ok(Self { uri, token })
+        Ok(Self { uri, token, trust: None })
+    }
+
+    /// The same, where the server's certificate is of an authority in this PEM file instead of a public one.
+    ///
+    /// # Errors
+    ///
+    /// When it is no file of certificates.
+    pub fn trusting(self, authorities: &Path) -> Result<Self, ConnectionError> {
+        Ok(Self { trust: Some(trust::authorities(authorities)?), ..self })
+    }
+
+    pub(super) fn connector(&self) -> Option<Connector> {
+        self.trust.clone().map(Connector::Rustls)
     }
 
     pub(super) fn request(&self) -> ClientRequestBuilder {

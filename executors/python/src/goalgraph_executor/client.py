@@ -12,7 +12,7 @@ from typing import Any
 from urllib.parse import quote, urlsplit, urlunsplit
 
 from websockets.asyncio.client import ClientConnection, connect
-from websockets.exceptions import ConnectionClosed
+from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.typing import Subprotocol
 
 from .run import Robot, Run
@@ -59,6 +59,9 @@ class Executor:
                 if await self._talk(socket):
                     return await socket.close()
                 await asyncio.sleep(random.uniform(0.1, 0.5))
+        except InvalidStatus as answer:
+            detail = (answer.response.body or b"").decode(errors="replace")
+            raise Refused(f"{self.url}: HTTP status {answer.response.status_code} {detail}".strip()) from answer
         finally:
             watch.cancel()
             if self._work:

@@ -61,6 +61,8 @@ class Run:
 
     def completed(self, sub_goal: str) -> None:
         """A sub-goal is completed, whether or not it was the one worked on."""
+        if self.over:
+            return
         self._report("completed", sub_goal=sub_goal)
         target = self.specification.target(self.state, sub_goal)
         if target is None:
