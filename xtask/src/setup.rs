@@ -8,7 +8,7 @@ mod browser_tests;
 mod cargo_tools;
 mod chromium;
 mod debian;
-mod postgres;
+pub(crate) mod postgres;
 mod python;
 mod wasm_target;
 

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use axum_server::Handle;
 use clap::{Args, ValueEnum};
-use goalgraph_server::access::{Access, AccessSettings};
+use goalgraph_server::access::{Access, AccessSettings, end_revoked};
 use goalgraph_server::api::Api;
 use goalgraph_server::relay::{Relay, RelayLimits};
 use goalgraph_server::server::{Listening, PATIENCE, Tls, app, embedded};
@@ -105,6 +105,7 @@ async fn serve(arguments: &Arguments, addresses: &[SocketAddr]) -> Result<(), Fa
     let listening = Listening::bind(addresses, tls.as_ref()).await.map_err(failure)?;
     announce(listening.address().map_err(failure)?, tls.is_some());
     let access = Arc::new(Access::new(settings, store.clone()));
+    tokio::spawn(end_revoked(store.clone(), relay.clone()));
     let api = Api { store: store.clone(), relay: relay.clone(), access };
     let handle = Handle::new();
     tokio::spawn(stop_gracefully(stop, relay, handle.clone()));

@@ -96,6 +96,12 @@ pub(super) async fn open(
             let greeting = greeting.clone();
             Box::pin(async move { greet(connection, greeting).await })
         })
+        // SQLite itself rolls a transaction back when the disk is full, and the driver then takes it for unfinished:
+        // such a connection is closed, not used again.
+        .before_acquire(|connection, _| {
+            let is_free = !connection.is_in_transaction();
+            Box::pin(async move { Ok(is_free) })
+        })
         .connect_lazy_with(database);
     Ok(pool)
 }

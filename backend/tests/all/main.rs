@@ -8,6 +8,7 @@ mod executor;
 mod executor_session;
 mod http;
 mod infer;
+mod killed;
 mod plan;
 mod relay;
 mod schema;

@@ -82,6 +82,10 @@ fn on_a_full_disk_nothing_is_half_stored_and_what_was_acknowledged_stays() {
         };
         assert!(matches!(error, StoreError::Full), "{error}");
         assert!(head > 3, "{head}");
+        for _ in 0..20 {
+            let error = store.save(&specification.id, head, revision(&large)).await.unwrap_err();
+            assert!(matches!(error, StoreError::Full), "{error}");
+        }
         let mut last = 0;
         let error = loop {
             let event = NewEvent {
