@@ -21,6 +21,7 @@ pub mod distance;
 pub mod dwell;
 pub mod edit;
 pub mod evidence;
+pub mod execution;
 pub mod export;
 pub mod fix;
 pub mod history;

@@ -67,7 +67,7 @@ impl Relayed {
             expected_approved: (before > 1).then_some(before),
             signature: signature(),
         };
-        self.store.approve(&self.specification, approval).await?;
+        let approval = self.store.approve(&self.specification, approval).await?.sequence;
         self.revision = row.number;
         self.clients.expect();
         let began = Instant::now();
@@ -77,6 +77,7 @@ impl Relayed {
         let message = ToExecutor::Specification {
             specification: self.specification.clone(),
             revision: row.number,
+            approval,
             sha256: row.sha256,
             content: self.store.content(&self.specification, row.number).await?,
         };

@@ -4,6 +4,8 @@
 
 mod api;
 mod check_and_export;
+mod executor;
+mod executor_session;
 mod http;
 mod infer;
 mod killed;
