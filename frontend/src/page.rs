@@ -2,6 +2,7 @@
 
 mod autosave;
 mod benchmark;
+mod clock;
 mod colors;
 mod commands;
 mod derived;
@@ -10,6 +11,8 @@ mod dropped;
 mod geometry;
 mod keys;
 mod model;
+mod monitor;
+mod run_text;
 mod samples;
 mod text;
 mod theme;

@@ -4,6 +4,7 @@ mod drawing;
 mod editing;
 mod files;
 mod going;
+mod running;
 
 use leptos::prelude::*;
 
@@ -30,10 +31,11 @@ pub(crate) struct Command {
 }
 
 /// The table in its parts, each with what it is about, in the order of the help page.
-pub(crate) const GROUPS: [(&str, &[Command]); 4] = [
+pub(crate) const GROUPS: [(&str, &[Command]); 5] = [
     ("Files", files::COMMANDS),
     ("Editing", editing::COMMANDS),
     ("Drawing", drawing::COMMANDS),
+    ("Running", running::COMMANDS),
     ("Going around", going::COMMANDS),
 ];
 

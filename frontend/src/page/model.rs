@@ -2,6 +2,7 @@
 
 mod editing;
 mod looking;
+mod watching;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -21,6 +22,9 @@ use crate::protocol::{DemonstrationId, FileContent, FileId, Outcome, Track};
 
 pub(crate) use editing::{Draft, Gesture, Menu, MenuContent, Selection};
 pub(crate) use looking::{Search, Side, Simulation, TextPane, Tidied};
+pub(crate) use watching::{
+    Connection, EventFilter, EventKind, EventLog, Heard, Replay, RunMode, SeenExecutor, Watching,
+};
 
 /// What a task is called until somebody names it; the command line's default is the same.
 pub(crate) const UNTITLED: &str = "Untitled task";
@@ -246,6 +250,8 @@ pub(crate) struct Model {
     pub(crate) unkept: RwSignal<bool>,
     /// Names of earlier work that cannot be read.
     pub(crate) aside: RwSignal<Vec<String>>,
+    /// Executors and runs.
+    pub(crate) watching: Watching,
     /// The colors of the page.
     pub(crate) theme: RwSignal<Theme>,
 }
@@ -295,6 +301,7 @@ impl Model {
             can_bring_back: RwSignal::default(),
             unkept: RwSignal::default(),
             aside: RwSignal::default(),
+            watching: Watching::new(),
             theme: RwSignal::new(Theme::stored()),
         }
     }
