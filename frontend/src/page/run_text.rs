@@ -83,14 +83,16 @@ pub(crate) fn phase(phase: Phase) -> &'static str {
     }
 }
 
-/// A log-likelihood, and how surprising that is in bits.
+/// How surprising a log-likelihood is.
 pub(crate) fn surprise(log_likelihood: f64) -> String {
-    let bits = significant(-log_likelihood / std::f64::consts::LN_2);
-    format!("{} (surprise {bits} bits)", significant(log_likelihood))
+    format!("{} bits", significant(-log_likelihood / std::f64::consts::LN_2))
 }
 
 /// Where a run is and what it does, as what is read at its state.
 pub(crate) fn doing(specification: Option<&Specification>, run: &RunView) -> String {
+    if run.departure.is_some() {
+        return "left the automaton".to_owned();
+    }
     let mut text = phase(run.phase).to_owned();
     if let Some(active) = run.active {
         // Writing to a string cannot fail.

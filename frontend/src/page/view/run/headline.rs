@@ -13,11 +13,13 @@ pub(super) fn headline(app: App) -> impl IntoView {
     let shown = app.derived.watched.shown;
     view! {
         <header class="headline">
-            <span class="read-only" title="Runs are only watched here: edit on the Automaton tab.">"Monitoring · read-only"</span>
-            {move || match shown.get() {
-                None => view! { <h2>"No run yet"</h2> }.into_any(),
-                Some(run) => title(app, &run).into_any(),
-            }}
+            <div class="headline-title">
+                {move || match shown.get() {
+                    None => view! { <h2>"No run yet"</h2> }.into_any(),
+                    Some(run) => title(app, &run).into_any(),
+                }}
+                <span class="read-only" title="Runs are only watched here: edit on the Automaton tab.">"Read-only"</span>
+            </div>
             {move || shown.get().map(|run| progress(app, &run))}
             <div class="replanned" role="status" aria-live="polite">{move || replanned(app)}</div>
         </header>
@@ -32,10 +34,10 @@ fn title(app: App, run: &RunView) -> impl IntoView + use<> {
     };
     let at = move || app.model.watching.replay.get().map(|replay| replay.at);
     view! {
-        <div class="row">
+        <div class="headline-run">
             <h2 dir="auto">{run.executor.clone()} ", run " {short_id(&run.run).to_owned()}</h2>
             <span class=format!("tag phase {}", phase(run.phase))>{phase(run.phase)}</span>
-            <span class="hint">{place} " · " {run.name.clone()} " r" {run.revision}</span>
+            <span class="hint" dir="auto">{place} " · " {run.name.clone()} " r" {run.revision}</span>
             {move || at().map(|at| view! { <span class="tag replaying">{format!("replay, event {at}")}</span> })}
         </div>
     }
@@ -89,19 +91,24 @@ pub(super) fn run_chip(app: App, symbol: Symbol) -> impl IntoView {
     view! { <span class=format!("chip {}", class.unwrap_or_default())>{name}</span> }
 }
 
-/// The last new plan, with the way to its event.
-fn replanned(app: App) -> Option<impl IntoView> {
-    let replanned = app.derived.watched.replanned.get()?;
+/// The last new plan, with the way to its event. The line is there from the first plan on, so that the graph below it
+/// does not jump when a new one is made.
+fn replanned(app: App) -> Option<AnyView> {
+    app.derived.watched.shown.with(Option::is_some).then_some(())?;
+    let Some(replanned) = app.derived.watched.replanned.get() else {
+        return Some(view! { <p class="hint">"No new plan so far."</p> }.into_any());
+    };
     let followed = app.derived.watched.followed.get();
     let specification = followed.as_ref().map(|it| &*it.specification);
     let text = run_text::replanned(specification, &replanned.unavailable, &replanned.word);
     let number = replanned.number;
     let go = move |_| app.act(Action::Watch(WatchAction::Replay(Some(number))));
-    Some(view! {
+    let text = view! {
         <p class="replanned-text" data-replanned=number.to_string()>
             <span class="turn" aria-hidden="true">"↻"</span>
             <span>{text}</span>
             <button type="button" class="link" on:click=go>{format!("event {number}")}</button>
         </p>
-    })
+    };
+    Some(text.into_any())
 }

@@ -1,6 +1,5 @@
 //! One event in the list.
 
-use goalgraph::protocol::api::StoredEvent;
 use goalgraph::run::RunEvent;
 use leptos::prelude::*;
 
@@ -16,36 +15,30 @@ pub(super) fn row(app: App, place: usize, index: usize) -> impl IntoView {
     let event = app.model.watching.log.with_untracked(|log| log.events.get(index).cloned());
     let top = format!("{}px", place as f64 * ROW);
     event.map(|event| {
-        let (number, class) = (event.number, format!("event {}", class(&event.happened)));
-        let current =
-            move || app.derived.watched.shown.with(|run| run.as_ref().map(|it| it.events)) == Some(number);
+        let (number, time) = (event.number, clock::of(&event.stored_at));
+        let class = format!("event {}", class(&event.happened));
+        let shown = move || app.derived.watched.shown.with(|run| run.as_ref().map_or(0, |it| it.events));
+        let sentence = Memo::new(move |_| {
+            let followed = app.derived.watched.followed.get();
+            happened(followed.as_ref().map(|it| &*it.specification), &event.happened)
+        });
         view! {
             <div class="log-row" role="listitem" style:top=top>
                 <button
                     type="button"
                     class=class
+                    class:later=move || shown() < number
                     data-event=number.to_string()
-                    aria-current=move || current().then_some("true")
-                    title="Show the run as it was then"
+                    aria-current=move || (shown() == number).then_some("true")
+                    title=move || sentence.get()
                     on:click=move |_| app.act(Action::Watch(WatchAction::Replay(Some(number))))
                 >
-                    {content(app, event)}
+                    <span class="event-head"><span class="number">{number}</span> <time>{time}</time></span>
+                    <span class="event-text" dir="auto">{move || sentence.get()}</span>
                 </button>
             </div>
         }
     })
-}
-
-fn content(app: App, event: StoredEvent) -> impl IntoView {
-    let (number, time) = (event.number, clock::of(&event.stored_at));
-    let sentence = move || {
-        let followed = app.derived.watched.followed.get();
-        happened(followed.as_ref().map(|it| &*it.specification), &event.happened)
-    };
-    view! {
-        <span class="event-head"><span class="number">{number}</span> <time>{time}</time></span>
-        <span class="event-text" dir="auto">{sentence}</span>
-    }
 }
 
 /// What stands out.

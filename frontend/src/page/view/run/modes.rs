@@ -21,8 +21,8 @@ pub(super) fn modes(app: App) -> impl IntoView {
     };
     view! {
         <div class="modes" role="group" aria-label="What the Run tab shows">
-            {mode(app, RunMode::Monitor, "monitor", "Monitor", badge.into_any())}
-            {mode(app, RunMode::Simulate, "try-out", "Simulate", ().into_any())}
+            {mode(app, RunMode::Monitor, "monitor", "Monitoring", badge.into_any())}
+            {mode(app, RunMode::Simulate, "try-out", "Simulation", ().into_any())}
         </div>
     }
 }

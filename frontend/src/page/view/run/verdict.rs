@@ -4,6 +4,7 @@ use leptos::prelude::*;
 
 use crate::page::clock;
 use crate::page::run_text::{departed, surprise};
+use crate::page::text::significant;
 use crate::page::update::{Action, App, WatchAction};
 use crate::page::view::chips::button;
 
@@ -16,8 +17,11 @@ pub(super) fn verdict(app: App) -> impl IntoView {
                 <dl class="facts">
                     <div><dt>"Began"</dt><dd>{clock::of(&run.began_at)}</dd></div>
                     <div><dt>"Last heard"</dt><dd>{clock::of(&run.heard_at)}</dd></div>
-                    <div title="Of the transitions taken; the less probable they were, the larger the surprise.">
-                        <dt>"Log-likelihood"</dt><dd>{surprise(run.log_likelihood)}</dd>
+                    <div title="Natural logarithm of the probability of the transitions taken.">
+                        <dt>"Log-likelihood"</dt><dd>{significant(run.log_likelihood)}</dd>
+                    </div>
+                    <div title="The less probable the transitions were, the larger it is.">
+                        <dt>"Surprise"</dt><dd>{surprise(run.log_likelihood)}</dd>
                     </div>
                     <div><dt>"New plans"</dt><dd>{run.replans}</dd></div>
                 </dl>
