@@ -64,6 +64,32 @@ export class Robot {
   }
 }
 
+/** A server of its own, which a test can end and start again. */
+export class Server {
+  private process?: ChildProcess;
+
+  constructor(
+    readonly port: string,
+    private readonly data: string,
+  ) {}
+
+  /** Starts it, and waits until it is ready. */
+  async start(request: APIRequestContext): Promise<void> {
+    const listen = `127.0.0.1:${this.port}`;
+    this.process = spawn(goalgraph, ["serve", "--listen", listen, "--data", this.data], { stdio: "ignore" });
+    const ready = async () => (await request.get(`http://${listen}/api/v1/ready`)).status();
+    await expect.poll(() => ready().catch(() => 0), { timeout: 15_000 }).toBe(204);
+  }
+
+  /** Ends it at once, without a word. */
+  async kill(): Promise<void> {
+    if (!this.process || this.process.exitCode !== null || this.process.signalCode !== null) return;
+    const ended = once(this.process, "exit");
+    this.process.kill("SIGKILL");
+    await ended;
+  }
+}
+
 /** The port of the server that the configuration starts. */
 export function serverPort(): string {
   return process.env.GOALGRAPH_PORT ?? "17700";

@@ -1,8 +1,13 @@
+import { mkdtempSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import AxeBuilder from "@axe-core/playwright";
 import { type Locator, type Page, expect, test } from "@playwright/test";
 import { drop, exported, openApp } from "./page";
 import { recording } from "./recordings";
-import { type Approved, Robot, approve, approveNext, reportRun } from "./robots";
+import { type Approved, Robot, Server, approve, approveNext, reportRun, serverPort } from "./robots";
+
+// Things are a few millimeters from their places for the simulated robot, so it is slow: there is time to see it work.
 
 // Red first or not at all: when red cannot be done, there is another way to the end.
 const recordings = [
@@ -55,7 +60,7 @@ const event = (page: Page, text: string): Locator => page.locator("[data-event]"
 
 test("a robot follows what was approved, plans anew when a sub-goal drops out, and finishes", async ({ page }) => {
   const approved = await learnAndApprove(page);
-  const started = robot(approved, "--speed", "0.06", "--becomes-unavailable", "red@1.5");
+  const started = robot(approved, "--speed", "0.001", "--becomes-unavailable", "red@3");
   await monitor(page);
   const executor = card(page, started);
   await expect(executor).toContainText("accepted");
@@ -120,7 +125,7 @@ test("a finished run is replayed event by event, and its log is filtered", async
 
 test("who comes late sees the run as it is, and opens the revision that it follows", async ({ page, browser }) => {
   const approved = await learnAndApprove(page);
-  const started = robot(approved, "--speed", "0.02");
+  const started = robot(approved, "--speed", "0.001");
   await monitor(page);
   await card(page, started).getByRole("button", { name: "Start" }).click();
   await expect(live(page)).toHaveAttribute("data-live-state", "running");
@@ -212,11 +217,39 @@ test("nothing is edited while a run is watched", async ({ page }) => {
   expect(await exported(page)).toBe(before);
 });
 
+test("the page comes back by itself when the server was away, and the run goes on", async ({ browser }) => {
+  const port = String(Number(serverPort()) + 1);
+  const server = new Server(port, mkdtempSync(join(tmpdir(), "goalgraph-watch-")));
+  const context = await browser.newContext({ baseURL: `http://127.0.0.1:${port}` });
+  try {
+    await server.start(context.request);
+    const page = await context.newPage();
+    const approved = await learnAndApprove(page);
+    const started = Robot.start(fresh("robot"), approved, ["--speed", "0.001"], port);
+    robots.push(started);
+    await monitor(page);
+    await expect(page.locator("[data-connection]")).toHaveAttribute("data-connection", "live");
+    await card(page, started).getByRole("button", { name: "Start" }).click();
+    await expect(live(page)).toHaveAttribute("data-live-state", "running");
+
+    await server.kill();
+    await expect(page.locator("[data-connection]")).toContainText("Reconnecting since");
+    await expect(live(page), "what was known last stays on display").toHaveAttribute("data-live-state", "running");
+    await server.start(context.request);
+    await expect(page.locator("[data-connection]")).toHaveAttribute("data-connection", "live");
+    await expect(live(page)).toHaveAttribute("data-live-state", "finished", { timeout: 40_000 });
+    await expect(page.locator("[data-event]").last()).toContainText("Finished");
+  } finally {
+    await server.kill();
+    await context.close();
+  }
+});
+
 for (const colorScheme of ["light", "dark"] as const) {
   test(`axe finds nothing serious while runs are watched, ${colorScheme}`, async ({ page }) => {
     await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
     const approved = await learnAndApprove(page);
-    const started = robot(approved, "--speed", "0.06", "--becomes-unavailable", "red@0.5");
+    const started = robot(approved, "--speed", "0.001", "--becomes-unavailable", "red@1");
     await monitor(page);
     await card(page, started).getByRole("button", { name: "Start" }).click();
     await expect(page.locator("[data-replanned]")).toBeVisible();

@@ -25,7 +25,7 @@ pub(super) fn executors(app: App) -> impl IntoView {
     }
 }
 
-fn executor(app: App, name: &str) -> impl IntoView {
+fn executor(app: App, name: &str) -> impl IntoView + use<> {
     let key = name.to_owned();
     let seen = Memo::new(move |_| app.model.watching.heard.with(|heard| heard.executors.get(&key).cloned()));
     let run = Memo::new(move |_| {
@@ -65,9 +65,11 @@ fn executor(app: App, name: &str) -> impl IntoView {
                 >
                     {name.to_owned()}
                 </button>
-                <span class="hint">{move || seen.get().map(|seen| presence(&seen))}</span>
             </header>
-            {move || software().map(|software| view! { <p class="hint" dir="auto">{software}</p> })}
+            <p class="hint">
+                {move || seen.get().map(|seen| presence(&seen))}
+                {move || software().map(|software| view! { <span dir="auto">" · " {software}</span> })}
+            </p>
             {move || seen.get().map(|seen| held(app, seen.view.holds))}
             {move || run.get().map(|run| its_run(app, &run))}
             <div class="row orders" role="group" aria-label=format!("Commands to {name}")>{orders}</div>
