@@ -60,7 +60,7 @@ const event = (page: Page, text: string): Locator => page.locator("[data-event]"
 
 test("a robot follows what was approved, plans anew when a sub-goal drops out, and finishes", async ({ page }) => {
   const approved = await learnAndApprove(page);
-  const started = robot(approved, "--speed", "0.001", "--becomes-unavailable", "red@3");
+  const started = robot(approved, "--speed", "0.005", "--becomes-unavailable", "red@2.5");
   await monitor(page);
   const executor = card(page, started);
   await expect(executor).toContainText("accepted");
@@ -125,7 +125,7 @@ test("a finished run is replayed event by event, and its log is filtered", async
 
 test("who comes late sees the run as it is, and opens the revision that it follows", async ({ page, browser }) => {
   const approved = await learnAndApprove(page);
-  const started = robot(approved, "--speed", "0.001");
+  const started = robot(approved, "--speed", "0.005");
   await monitor(page);
   await card(page, started).getByRole("button", { name: "Start" }).click();
   await expect(live(page)).toHaveAttribute("data-live-state", "running");
@@ -225,7 +225,7 @@ test("the page comes back by itself when the server was away, and the run goes o
     await server.start(context.request);
     const page = await context.newPage();
     const approved = await learnAndApprove(page);
-    const started = Robot.start(fresh("robot"), approved, ["--speed", "0.001"], port);
+    const started = Robot.start(fresh("robot"), approved, ["--speed", "0.005"], port);
     robots.push(started);
     await monitor(page);
     await expect(page.locator("[data-connection]")).toHaveAttribute("data-connection", "live");
@@ -249,7 +249,7 @@ for (const colorScheme of ["light", "dark"] as const) {
   test(`axe finds nothing serious while runs are watched, ${colorScheme}`, async ({ page }) => {
     await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
     const approved = await learnAndApprove(page);
-    const started = robot(approved, "--speed", "0.001", "--becomes-unavailable", "red@1");
+    const started = robot(approved, "--speed", "0.005", "--becomes-unavailable", "red@1");
     await monitor(page);
     await card(page, started).getByRole("button", { name: "Start" }).click();
     await expect(page.locator("[data-replanned]")).toBeVisible();
