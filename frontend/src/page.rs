@@ -1,5 +1,6 @@
 //! The page: what a person sees and does.
 
+mod author;
 mod autosave;
 mod benchmark;
 mod colors;
@@ -9,8 +10,10 @@ mod download;
 mod dropped;
 mod geometry;
 mod keys;
+mod links;
 mod model;
 mod samples;
+mod server;
 mod text;
 mod theme;
 mod update;

@@ -1,6 +1,7 @@
 //! Ground state: what nothing else could tell. Whatever follows from it is in [`super::derived`].
 
 mod editing;
+mod keeping;
 mod looking;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -20,6 +21,9 @@ use super::theme::Theme;
 use crate::protocol::{DemonstrationId, FileContent, FileId, Outcome, Track};
 
 pub(crate) use editing::{Draft, Gesture, Menu, MenuContent, Selection};
+pub(crate) use keeping::{
+    Compared, KeepDialog, Keeping, Kept, Lineage, Loading, Onto, Queued, Server, Signing,
+};
 pub(crate) use looking::{Search, Side, Simulation, TextPane, Tidied};
 
 /// What a task is called until somebody names it; the command line's default is the same.
@@ -127,6 +131,8 @@ pub(crate) enum Overlay {
     Help,
     /// How long an edit takes.
     Benchmark,
+    /// Something about what the server keeps.
+    Keep(KeepDialog),
 }
 
 /// A sentence about what just happened.
@@ -246,6 +252,8 @@ pub(crate) struct Model {
     pub(crate) unkept: RwSignal<bool>,
     /// Names of earlier work that cannot be read.
     pub(crate) aside: RwSignal<Vec<String>>,
+    /// What the server keeps of it.
+    pub(crate) keeping: Keeping,
     /// The colors of the page.
     pub(crate) theme: RwSignal<Theme>,
 }
@@ -295,6 +303,7 @@ impl Model {
             can_bring_back: RwSignal::default(),
             unkept: RwSignal::default(),
             aside: RwSignal::default(),
+            keeping: Keeping::default(),
             theme: RwSignal::new(Theme::stored()),
         }
     }

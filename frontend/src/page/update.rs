@@ -3,6 +3,7 @@
 mod action;
 mod edit;
 mod files;
+mod keeping;
 mod open;
 mod save;
 mod select;
@@ -29,6 +30,7 @@ use super::worker_link::WorkerLink;
 use crate::protocol::{FileId, ToWorker};
 
 pub(crate) use action::Action;
+pub(crate) use keeping::{Choice, KeepAction};
 pub(crate) use select::Flow;
 
 /// The app: its state and its line to the worker. A handle.
@@ -49,6 +51,8 @@ struct Outside {
     let_go: RefCell<Option<autosave::LetGo>>,
     next_file: Cell<u32>,
     loads: Cell<u32>,
+    /// Whether files come that belong to what is there: nothing is to be learned from them unasked.
+    brought: Cell<bool>,
 }
 
 impl Notice {
@@ -78,6 +82,7 @@ impl App {
         self.model.theme.get_untracked().apply();
         samples::list(self);
         autosave::start(self);
+        self.start_keeping();
         // Something else was learned or opened.
         Effect::new(move |_| {
             let waiting = self.model.tidied.with(|tidied| tidied.asked != tidied.answered);
@@ -168,6 +173,7 @@ impl App {
                     unavailable.insert(symbol)
                 };
             }),
+            Action::Keep(action) => self.keep(action),
             Action::Overlay(overlay) => model.overlay.set(overlay),
             Action::ToggleTheme => self.set_theme(model.theme.get_untracked().toggled()),
             Action::Export(format) => self.export(format),

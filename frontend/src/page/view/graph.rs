@@ -5,7 +5,7 @@ mod frame;
 mod gesture;
 mod handles;
 mod minimap;
-mod paths;
+pub(crate) mod paths;
 mod state;
 mod transition;
 mod view_part;
