@@ -26,7 +26,6 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::{any, get};
 use utoipa::openapi::OpenApi;
 use utoipa_axum::router::OpenApiRouter;
-use utoipa_axum::routes;
 use utoipa_swagger_ui::{Config, SwaggerUi};
 
 pub(crate) use problem::{ApiError, ApiResult};
@@ -72,55 +71,27 @@ pub fn openapi() -> OpenApi {
 }
 
 fn documented() -> (Router<Api>, OpenApi) {
+    // Files are read piece by piece and bounded by the store, not by the limit of other bodies.
+    let files = demonstrations::routes().layer(DefaultBodyLimit::disable());
     let (router, mut document) = OpenApiRouter::with_openapi(document::about())
-        .nest("/api/v1", resources().layer(DefaultBodyLimit::max(limits::JSON_BYTES)).merge(files()))
+        .nest("/api/v1", resources().layer(DefaultBodyLimit::max(limits::JSON_BYTES)).merge(files))
         .split_for_parts();
     document::add_problems(&mut document);
     (router, document)
 }
 
 fn resources() -> OpenApiRouter<Api> {
-    use approvals::{approve_revision, list_approvals, read_approved, revoke_revision};
-    use executors::{command_executor, connect_executor, connect_monitor, list_executors};
-    use health::{read_health, read_readiness};
-    use revisions::{list_revisions, read_revision, read_specification_file};
-    use runs::{list_events, list_runs, read_run};
-    use sessions::{close_session, open_session, read_session};
-    use specifications::{
-        create_specification, delete_specification, list_specifications, read_specification, save_specification,
-    };
     OpenApiRouter::new()
-        .routes(routes!(read_health))
-        .routes(routes!(read_readiness))
-        .routes(routes!(read_session, open_session, close_session))
-        .routes(routes!(list_specifications, create_specification))
-        .routes(routes!(read_specification, save_specification, delete_specification))
-        .routes(routes!(list_revisions))
-        .routes(routes!(read_revision))
-        .routes(routes!(read_specification_file))
-        .routes(routes!(approve_revision))
-        .routes(routes!(revoke_revision))
-        .routes(routes!(list_approvals))
-        .routes(routes!(read_approved))
-        .routes(routes!(list_executors))
-        .routes(routes!(command_executor))
-        .routes(routes!(connect_executor))
-        .routes(routes!(connect_monitor))
-        .routes(routes!(list_runs))
-        .routes(routes!(read_run))
-        .routes(routes!(list_events))
-}
-
-/// Files are read piece by piece and bounded by the store, not by the limit of other bodies.
-fn files() -> OpenApiRouter<Api> {
-    use demonstrations::{link_demonstration, list_demonstrations, put_demonstration, read_demonstration};
-    OpenApiRouter::new()
-        .routes(routes!(put_demonstration, read_demonstration))
-        .routes(routes!(list_demonstrations))
-        .routes(routes!(link_demonstration))
-        .layer(DefaultBodyLimit::disable())
+        .merge(health::routes())
+        .merge(sessions::routes())
+        .merge(specifications::routes())
+        .merge(revisions::routes())
+        .merge(approvals::routes())
+        .merge(executors::routes())
+        .merge(runs::routes())
 }
 
 async fn nothing_here() -> Response {
-    ApiError::not_found("there is nothing at this address; GET /api/openapi.json tells what there is").into_response()
+    ApiError::not_found("there is nothing at this address; GET /api/openapi.json tells what there is")
+        .into_response()
 }

@@ -12,7 +12,9 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::extract::State;
-use axum::http::header::{CONTENT_SECURITY_POLICY, REFERRER_POLICY, STRICT_TRANSPORT_SECURITY, X_CONTENT_TYPE_OPTIONS};
+use axum::http::header::{
+    CONTENT_SECURITY_POLICY, REFERRER_POLICY, STRICT_TRANSPORT_SECURITY, X_CONTENT_TYPE_OPTIONS,
+};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Request, Uri};
 use axum::middleware::{from_fn_with_state, map_response_with_state};
 use axum::response::{IntoResponse, Response};
@@ -23,6 +25,7 @@ use tower_http::ServiceBuilderExt;
 use tower_http::catch_panic::CatchPanicLayer;
 use tower_http::compression::CompressionLayer;
 use tower_http::request_id::{MakeRequestUuid, RequestId};
+use tower_http::timeout::RequestBodyTimeoutLayer;
 use tower_http::trace::{DefaultOnResponse, TraceLayer};
 use tracing::{Level, Span};
 
@@ -36,6 +39,8 @@ pub use listener::{Listening, Tls};
 const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
 /// For so long browsers ask by https only, once they did.
 const HTTPS_ONLY: HeaderValue = HeaderValue::from_static("max-age=31536000");
+/// How long a client may take between two pieces of a body.
+const BODY_PATIENCE: Duration = Duration::from_secs(30);
 /// How long answers that are under way may take once the server is told to stop.
 pub const PATIENCE: Duration = Duration::from_secs(3);
 
@@ -50,16 +55,21 @@ pub fn app(assets: Assets, api: Api) -> Router {
     let https = access.settings.https;
     let around = ServiceBuilder::new()
         .set_request_id(REQUEST_ID, MakeRequestUuid)
-        .layer(TraceLayer::new_for_http().make_span_with(span).on_response(DefaultOnResponse::new().level(Level::DEBUG)))
-        .propagate_request_id(REQUEST_ID)
-        .layer(map_response_with_state(https, with_security_headers))
-        .layer(CatchPanicLayer::custom(|_| ApiError::broken(&"a handler panicked").into_response()));
+        .layer(
+            TraceLayer::new_for_http()
+                .make_span_with(span)
+                .on_response(DefaultOnResponse::new().level(Level::DEBUG)),
+        )
+        .propagate_request_id(REQUEST_ID);
     api::router(api)
         .layer(CompressionLayer::new())
         .route("/metrics", numbers)
         .fallback(get(file).with_state(assets))
+        .layer(RequestBodyTimeoutLayer::new(BODY_PATIENCE))
         .layer(from_fn_with_state(metrics, metrics::count))
         .layer(from_fn_with_state(access, guard))
+        .layer(CatchPanicLayer::custom(|_| ApiError::broken(&"a handler panicked").into_response()))
+        .layer(map_response_with_state(https, with_security_headers))
         .layer(around)
 }
 

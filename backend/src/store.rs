@@ -9,7 +9,7 @@
 //! - Of two writers that know the same state one wins, and the other gets a [`Conflict`] that tells what is there now.
 //!
 //! Modules in reading order: [`location`], [`error`], [`page`], [`connection`] (open, write); [`specification`],
-//! [`revision`], [`approval`]; [`run`], [`event`]; [`file`], [`demonstration`]; [`token`], [`session`]; [`verify`],
+//! [`revision`], [`approval`], [`journal`]; [`run`], [`event`]; [`file`], [`demonstration`]; [`token`], [`session`]; [`verify`],
 //! [`backup`].
 
 mod approval;
@@ -18,7 +18,9 @@ mod connection;
 mod demonstration;
 mod error;
 mod event;
+mod event_group;
 mod file;
+mod journal;
 mod location;
 mod page;
 mod revision;
@@ -40,6 +42,7 @@ pub use connection::Backend;
 pub use demonstration::{DemonstrationRow, LinkedDemonstration, NewDemonstration};
 pub use error::{Conflict, StoreError};
 pub use event::{Appended, EventRow, NewEvent};
+pub use event_group::RunEvents;
 pub use location::{Location, StoreOptions};
 pub use page::{MAX_PAGE, Page, PageRequest};
 pub use revision::{NewRevision, RevisionRow};
@@ -55,7 +58,7 @@ pub struct Store {
     backend: Backend,
     pool: AnyPool,
     files: file::Files,
-    /// `SQLite` has one writer at a time: within this program they wait here, in the order of their coming.
+    /// SQLite has one writer at a time: within this program they wait here, in the order of their coming.
     turn: Arc<Mutex<()>>,
     busy_timeout: Duration,
 }

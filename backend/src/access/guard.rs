@@ -4,8 +4,8 @@ use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 
 use axum::extract::{ConnectInfo, Request, State};
-use axum::http::Method;
 use axum::http::header::{AUTHORIZATION, UPGRADE};
+use axum::http::{HeaderMap, Method};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 use axum_extra::extract::CookieJar;
@@ -66,12 +66,18 @@ impl Access {
         }
         let address = peer(request);
         if !self.rates.take_request(address) {
-            return Err(ApiError::too_many("more requests from this address than the server answers; wait a second"));
+            return Err(ApiError::too_many(
+                "more requests from this address than the server answers; wait a second",
+            ));
         }
-        if changes_or_stays(request) && !origin::is_own(host.as_deref(), request.headers(), &self.settings.origins) {
+        if changes_or_stays(request)
+            && !origin::is_own(host.as_deref(), request.headers(), &self.settings.origins)
+        {
             return Err(ApiError::not_allowed("this page is not of this server, so it may not ask for this"));
         }
-        let caller = self.caller(request, address).await?;
+        // A request cannot be held on to while waiting: its body is not to be shared.
+        let headers = request.headers().clone();
+        let caller = self.caller(&headers, address).await?;
         if let Some(needed) = rules::needed(request.method(), &path) {
             self.allow(&caller, needed)?;
         }
@@ -79,12 +85,12 @@ impl Access {
         Ok(())
     }
 
-    async fn caller(&self, request: &Request, address: IpAddr) -> ApiResult<Caller> {
-        let header = request.headers().get(AUTHORIZATION).and_then(|value| value.to_str().ok());
+    async fn caller(&self, headers: &HeaderMap, address: IpAddr) -> ApiResult<Caller> {
+        let header = headers.get(AUTHORIZATION).and_then(|value| value.to_str().ok());
         if let Some(token) = header.and_then(|value| value.strip_prefix("Bearer ")) {
             return self.prove(token.trim(), address).await;
         }
-        let cookies = CookieJar::from_headers(request.headers());
+        let cookies = CookieJar::from_headers(headers);
         if let Some(cookie) = cookies.get(SESSION_COOKIE)
             && let Some(caller) = self.tokens.of_session(cookie.value()).await?
         {

@@ -13,7 +13,8 @@ pub(super) fn host<'a>(uri: &'a Uri, headers: &'a HeaderMap) -> Option<&'a str> 
 /// Whether the request comes from a page of this server, of one of `others` (such as `https://lab.example`), or from no
 /// page at all: programs send no origin.
 pub(super) fn is_own(host: Option<&str>, headers: &HeaderMap, others: &[String]) -> bool {
-    if headers.get("sec-fetch-site").is_some_and(|site| site == "cross-site") && !headers.contains_key(ORIGIN) {
+    if headers.get("sec-fetch-site").is_some_and(|site| site == "cross-site") && !headers.contains_key(ORIGIN)
+    {
         return false;
     }
     let Some(origin) = headers.get(ORIGIN) else {
@@ -49,10 +50,19 @@ mod tests {
 
     #[test]
     fn only_names_of_this_computer_are_loopback() {
-        for host in ["localhost", "LOCALHOST:7700", "127.0.0.1:7700", "127.1.2.3", "[::1]:7700", "app.localhost:1"] {
+        for host in
+            ["localhost", "LOCALHOST:7700", "127.0.0.1:7700", "127.1.2.3", "[::1]:7700", "app.localhost:1"]
+        {
             assert!(is_loopback(Some(host)), "{host}");
         }
-        for host in ["", "example.org", "localhost.example.org:7700", "10.0.0.1", "[::2]:7700", "127.0.0.1.example.org"] {
+        for host in [
+            "",
+            "example.org",
+            "localhost.example.org:7700",
+            "10.0.0.1",
+            "[::2]:7700",
+            "127.0.0.1.example.org",
+        ] {
             assert!(!is_loopback(Some(host)), "{host}");
         }
         assert!(!is_loopback(None));

@@ -64,7 +64,13 @@ impl Tokens {
 
     async fn is_proven(&self, token: Token, hash: &str) -> bool {
         let shown: [u8; 32] = Sha256::digest(token.reveal()).into();
-        if self.proven.lock().unwrap_or_else(PoisonError::into_inner).get(&shown).is_some_and(|known| known == hash) {
+        if self
+            .proven
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .get(&shown)
+            .is_some_and(|known| known == hash)
+        {
             return true;
         }
         let Ok(_turn) = self.turns.acquire().await else {

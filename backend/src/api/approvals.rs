@@ -16,12 +16,23 @@ use super::{Api, entries};
 use crate::access::Caller;
 use crate::clock;
 use crate::store::{self, NewApproval};
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
+
+/// The addresses of this module.
+pub(super) fn routes() -> OpenApiRouter<Api> {
+    OpenApiRouter::new()
+        .routes(routes!(approve_revision))
+        .routes(routes!(revoke_revision))
+        .routes(routes!(list_approvals))
+        .routes(routes!(read_approved))
+}
 
 /// Approves a revision: from here on it is what robots are given. Refused while it has an error.
 #[utoipa::path(post, path = "/specifications/{id}/revisions/{number}/approval", tag = "approvals",
     request_body = Signature, params(("id" = String, Path), ("number" = u64, Path)),
     responses((status = 201, body = Approval)))]
-pub(super) async fn approve_revision(
+async fn approve_revision(
     State(api): State<Api>,
     caller: Caller,
     PathParts((id, number)): PathParts<(String, u64)>,
@@ -44,7 +55,7 @@ pub(super) async fn approve_revision(
 #[utoipa::path(post, path = "/specifications/{id}/revisions/{number}/revocation", tag = "approvals",
     request_body = Signature, params(("id" = String, Path), ("number" = u64, Path)),
     responses((status = 201, body = Approval)))]
-pub(super) async fn revoke_revision(
+async fn revoke_revision(
     State(api): State<Api>,
     caller: Caller,
     PathParts((id, number)): PathParts<(String, u64)>,
@@ -59,7 +70,7 @@ pub(super) async fn revoke_revision(
 /// The approval journal of a specification, newest first.
 #[utoipa::path(get, path = "/specifications/{id}/approvals", tag = "approvals",
     params(("id" = String, Path), ListQuery), responses((status = 200, body = Page<Approval>)))]
-pub(super) async fn list_approvals(
+async fn list_approvals(
     State(api): State<Api>,
     PathParts(id): PathParts<String>,
     QueryParts(query): QueryParts<ListQuery>,
@@ -71,7 +82,7 @@ pub(super) async fn list_approvals(
 /// When.
 #[derive(Debug, Deserialize, IntoParams)]
 #[into_params(parameter_in = Query)]
-pub(super) struct At {
+struct At {
     /// A time (RFC 3339); left out for now.
     at: Option<String>,
 }
@@ -79,15 +90,16 @@ pub(super) struct At {
 /// What was approved at a time: the entry of the journal that held then.
 #[utoipa::path(get, path = "/specifications/{id}/approved", tag = "approvals", params(("id" = String, Path), At),
     responses((status = 200, body = Approval)))]
-pub(super) async fn read_approved(
+async fn read_approved(
     State(api): State<Api>,
     PathParts(id): PathParts<String>,
     QueryParts(At { at }): QueryParts<At>,
 ) -> ApiResult<Json<Approval>> {
     let at_ms = match &at {
         None => i64::MAX,
-        Some(text) => clock::milliseconds(text)
-            .ok_or_else(|| ApiError::bad_request(format!("at: {text:?} is no time such as 2026-01-31T12:00:00Z")))?,
+        Some(text) => clock::milliseconds(text).ok_or_else(|| {
+            ApiError::bad_request(format!("at: {text:?} is no time such as 2026-01-31T12:00:00Z"))
+        })?,
     };
     let row = api.store.approved_at(&id, at_ms).await?;
     let row = row.ok_or_else(|| ApiError::not_found("nothing of this specification was approved then"))?;

@@ -20,11 +20,21 @@ use super::problem::{ApiError, ApiResult};
 use super::{Api, entries};
 use crate::clock;
 use crate::store::{NewDemonstration, StoreError};
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
+
+/// The addresses of this module.
+pub(super) fn routes() -> OpenApiRouter<Api> {
+    OpenApiRouter::new()
+        .routes(routes!(put_demonstration, read_demonstration))
+        .routes(routes!(list_demonstrations))
+        .routes(routes!(link_demonstration))
+}
 
 /// What a file is called.
 #[derive(Debug, Deserialize, IntoParams)]
 #[into_params(parameter_in = Query)]
-pub(super) struct Named {
+struct Named {
     /// Its name.
     name: String,
 }
@@ -33,7 +43,7 @@ pub(super) struct Named {
 #[utoipa::path(put, path = "/demonstrations/{sha256}", tag = "demonstrations",
     params(("sha256" = String, Path), Named), request_body(content = Vec<u8>, content_type = "application/octet-stream"),
     responses((status = 201, body = DemonstrationFile), (status = 200, body = DemonstrationFile)))]
-pub(super) async fn put_demonstration(
+async fn put_demonstration(
     State(api): State<Api>,
     PathParts(sha256): PathParts<String>,
     QueryParts(Named { name }): QueryParts<Named>,
@@ -66,7 +76,7 @@ pub(super) async fn put_demonstration(
 /// The bytes of a file.
 #[utoipa::path(get, path = "/demonstrations/{sha256}", tag = "demonstrations", params(("sha256" = String, Path)),
     responses((status = 200, body = Vec<u8>, content_type = "application/octet-stream")))]
-pub(super) async fn read_demonstration(
+async fn read_demonstration(
     State(api): State<Api>,
     PathParts(sha256): PathParts<String>,
 ) -> ApiResult<impl IntoResponse> {
@@ -85,7 +95,7 @@ pub(super) async fn read_demonstration(
 /// The demonstration files of a specification.
 #[utoipa::path(get, path = "/specifications/{id}/demonstrations", tag = "demonstrations",
     params(("id" = String, Path)), responses((status = 200, body = Page<DemonstrationFile>)))]
-pub(super) async fn list_demonstrations(
+async fn list_demonstrations(
     State(api): State<Api>,
     PathParts(id): PathParts<String>,
 ) -> ApiResult<Json<Page<DemonstrationFile>>> {
@@ -96,7 +106,7 @@ pub(super) async fn list_demonstrations(
 /// Says that a specification was learned from a file.
 #[utoipa::path(put, path = "/specifications/{id}/demonstrations/{sha256}", tag = "demonstrations",
     params(("id" = String, Path), ("sha256" = String, Path), Named), responses((status = 204)))]
-pub(super) async fn link_demonstration(
+async fn link_demonstration(
     State(api): State<Api>,
     PathParts((id, sha256)): PathParts<(String, String)>,
     QueryParts(Named { name }): QueryParts<Named>,

@@ -19,7 +19,8 @@ names the revision that it builds on in `If-Match`. On the server's own computer
 
 /// The document before anything was added.
 pub(super) fn about() -> OpenApi {
-    let info = InfoBuilder::new().title("Goalgraph").version(env!("CARGO_PKG_VERSION")).description(Some(ABOUT));
+    let info =
+        InfoBuilder::new().title("Goalgraph").version(env!("CARGO_PKG_VERSION")).description(Some(ABOUT));
     let bearer = SecurityScheme::Http(Http::new(HttpAuthScheme::Bearer));
     let cookie = SecurityScheme::ApiKey(ApiKey::Cookie(ApiKeyValue::new(SESSION_COOKIE)));
     let components = ComponentsBuilder::new()

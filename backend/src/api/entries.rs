@@ -5,7 +5,9 @@ use axum::http::header::ETAG;
 use goalgraph::protocol::api::{Approval, Decision, DemonstrationFile, Page, Revision, SpecificationEntry};
 
 use crate::clock::rfc3339;
-use crate::store::{self, ApprovalKind, ApprovalRow, DemonstrationRow, LinkedDemonstration, RevisionRow, SpecificationRow};
+use crate::store::{
+    self, ApprovalKind, ApprovalRow, DemonstrationRow, LinkedDemonstration, RevisionRow, SpecificationRow,
+};
 
 /// A page of rows, each turned by `entry`.
 pub(super) fn page<R, E>(rows: store::Page<R>, entry: impl Fn(&R) -> E) -> Page<E> {

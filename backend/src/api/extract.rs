@@ -4,10 +4,11 @@ use axum::Json;
 use axum::extract::rejection::JsonRejection;
 use axum::extract::{FromRequest, FromRequestParts, Path, Query, Request};
 use axum::http::StatusCode;
-use axum::http::header::IF_MATCH;
+use axum::http::header::{CONTENT_LENGTH, IF_MATCH};
 use axum::http::request::Parts;
 use serde::de::DeserializeOwned;
 
+use super::limits;
 use super::problem::ApiError;
 
 /// The JSON body.
@@ -17,13 +18,19 @@ impl<T: DeserializeOwned, S: Send + Sync> FromRequest<S> for Body<T> {
     type Rejection = ApiError;
 
     async fn from_request(request: Request, state: &S) -> Result<Self, ApiError> {
+        let length =
+            request.headers().get(CONTENT_LENGTH).and_then(|value| value.to_str().ok()?.parse().ok());
+        if length.is_some_and(|bytes: usize| bytes > limits::JSON_BYTES) {
+            // Said before the body is sent, for who waits for that.
+            return Err(ApiError::too_large(limits::JSON_BYTES as u64));
+        }
         match Json::from_request(request, state).await {
             Ok(Json(body)) => Ok(Self(body)),
             Err(JsonRejection::MissingJsonContentType(_)) => {
                 Err(ApiError::media_type("expected a body of the media type application/json"))
             }
             Err(rejection) if rejection.status() == StatusCode::PAYLOAD_TOO_LARGE => {
-                Err(ApiError::too_large(super::limits::JSON_BYTES as u64))
+                Err(ApiError::too_large(limits::JSON_BYTES as u64))
             }
             Err(JsonRejection::JsonDataError(rejection)) => Err(ApiError::invalid(rejection.body_text())),
             Err(rejection) => Err(ApiError::bad_request(rejection.body_text())),
@@ -41,7 +48,9 @@ impl<T: DeserializeOwned + Send, S: Send + Sync> FromRequestParts<S> for PathPar
         let path = parts.uri.path().to_owned();
         match Path::from_request_parts(parts, state).await {
             Ok(Path(values)) => Ok(Self(values)),
-            Err(rejection) => Err(ApiError::not_found(format!("there is nothing at {path}: {}", rejection.body_text()))),
+            Err(rejection) => {
+                Err(ApiError::not_found(format!("there is nothing at {path}: {}", rejection.body_text())))
+            }
         }
     }
 }

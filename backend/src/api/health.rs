@@ -8,10 +8,17 @@ use utoipa::ToSchema;
 
 use super::Api;
 use super::problem::{ApiError, ApiResult};
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
+
+/// The addresses of this module.
+pub(super) fn routes() -> OpenApiRouter<Api> {
+    OpenApiRouter::new().routes(routes!(read_health)).routes(routes!(read_readiness))
+}
 
 /// The server is there.
 #[derive(Serialize, ToSchema)]
-pub(super) struct Health {
+struct Health {
     /// Always `ok`.
     status: &'static str,
     /// Version of the program.
@@ -20,13 +27,13 @@ pub(super) struct Health {
 
 /// Whether the program runs; asks nothing else.
 #[utoipa::path(get, path = "/health", tag = "server", responses((status = 200, body = Health)))]
-pub(super) async fn read_health() -> Json<Health> {
+async fn read_health() -> Json<Health> {
     Json(Health { status: "ok", version: env!("CARGO_PKG_VERSION") })
 }
 
 /// Whether the server can work: its database answers.
 #[utoipa::path(get, path = "/ready", tag = "server", responses((status = 204), (status = 503)))]
-pub(super) async fn read_readiness(State(api): State<Api>) -> ApiResult<StatusCode> {
+async fn read_readiness(State(api): State<Api>) -> ApiResult<StatusCode> {
     api.store.ping().await.map_err(|error| {
         tracing::warn!(%error, "not ready");
         ApiError::busy("the database does not answer")

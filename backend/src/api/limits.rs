@@ -29,14 +29,18 @@ pub(crate) fn line(what: &str, text: &str, longest: usize) -> ApiResult<String> 
 ///
 /// When it is longer, or holds a control character other than tabulators and ends of lines.
 pub(crate) fn lines(what: &str, text: &str) -> ApiResult<String> {
-    bounded(what, text, MESSAGE, |character| character.is_control() && !matches!(character, '\n' | '\r' | '\t'))
+    bounded(what, text, MESSAGE, |character| {
+        character.is_control() && !matches!(character, '\n' | '\r' | '\t')
+    })
 }
 
 fn bounded(what: &str, text: &str, longest: usize, forbidden: impl Fn(char) -> bool) -> ApiResult<String> {
     let text = text.trim();
     let characters = text.chars().count();
     if characters > longest {
-        return Err(ApiError::invalid(format!("{what}: {characters} characters; at most {longest} are taken")));
+        return Err(ApiError::invalid(format!(
+            "{what}: {characters} characters; at most {longest} are taken"
+        )));
     }
     match text.chars().find(|&character| forbidden(character)) {
         Some(found) => Err(ApiError::invalid(format!("{what}: holds the control character {found:?}"))),

@@ -7,6 +7,7 @@ use axum::response::{IntoResponse, Response};
 use goalgraph::protocol::api::{Problem, Role};
 
 use super::entries;
+use crate::relay::RelayError;
 use crate::store::{Conflict, StoreError};
 
 /// What every handler returns.
@@ -68,7 +69,9 @@ impl ApiError {
 
     /// Who asks has not the role for it.
     pub(crate) fn role_needed(has: Role, needed: Role) -> Self {
-        Self::not_allowed(format!("this needs a token of the role {needed}; the one given has the role {has}"))
+        Self::not_allowed(format!(
+            "this needs a token of the role {needed}; the one given has the role {has}"
+        ))
     }
 
     /// There is no such thing.
@@ -78,7 +81,10 @@ impl ApiError {
 
     /// The address does not know the method.
     pub(crate) fn wrong_method() -> Self {
-        Self::new(WRONG_METHOD, "this address does not answer to this method; GET /api/openapi.json tells which do")
+        Self::new(
+            WRONG_METHOD,
+            "this address does not answer to this method; GET /api/openapi.json tells which do",
+        )
     }
 
     /// The request does not fit how things are.
@@ -115,7 +121,10 @@ impl ApiError {
 
     /// The request must say which revision it knows.
     pub(crate) fn condition_needed() -> Self {
-        Self::new(CONDITION, "send the ETag of the revision that you know in If-Match, so that nothing newer is lost")
+        Self::new(
+            CONDITION,
+            "send the ETag of the revision that you know in If-Match, so that nothing newer is lost",
+        )
     }
 
     /// Somebody saved meanwhile.
@@ -167,6 +176,16 @@ impl From<StoreError> for ApiError {
             StoreError::TooLarge { limit_bytes } => Self::too_large(limit_bytes),
             StoreError::Invalid(_) => Self::invalid(detail),
             _ => Self::broken(&detail),
+        }
+    }
+}
+
+impl From<RelayError> for ApiError {
+    fn from(error: RelayError) -> Self {
+        match error {
+            RelayError::Store(error) => error.into(),
+            RelayError::Closing => Self::busy(error.to_string()),
+            _ => Self::broken(&error),
         }
     }
 }

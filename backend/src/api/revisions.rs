@@ -10,11 +10,21 @@ use super::extract::{PathParts, QueryParts};
 use super::list::ListQuery;
 use super::problem::{ApiError, ApiResult};
 use super::{Api, entries};
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
+
+/// The addresses of this module.
+pub(super) fn routes() -> OpenApiRouter<Api> {
+    OpenApiRouter::new()
+        .routes(routes!(list_revisions))
+        .routes(routes!(read_revision))
+        .routes(routes!(read_specification_file))
+}
 
 /// The revisions of a specification, newest first.
 #[utoipa::path(get, path = "/specifications/{id}/revisions", tag = "revisions",
     params(("id" = String, Path), ListQuery), responses((status = 200, body = Page<Revision>)))]
-pub(super) async fn list_revisions(
+async fn list_revisions(
     State(api): State<Api>,
     PathParts(id): PathParts<String>,
     QueryParts(query): QueryParts<ListQuery>,
@@ -27,14 +37,15 @@ pub(super) async fn list_revisions(
 #[utoipa::path(get, path = "/specifications/{id}/revisions/{number}", tag = "revisions",
     params(("id" = String, Path), ("number" = u64, Path)),
     responses((status = 200, body = RevisionContent, headers(("ETag" = String)))))]
-pub(super) async fn read_revision(
+async fn read_revision(
     State(api): State<Api>,
     PathParts((id, number)): PathParts<(String, u64)>,
 ) -> ApiResult<impl IntoResponse> {
     let row = api.store.revision(&id, number).await?;
     let content = api.store.content(&id, number).await?;
     let parse = |text: &String| serde_json::from_str(text);
-    let positions = row.positions.as_ref().map(parse).transpose().map_err(|error| ApiError::broken(&error))?;
+    let positions =
+        row.positions.as_ref().map(parse).transpose().map_err(|error| ApiError::broken(&error))?;
     let body = RevisionContent { revision: entries::revision(&row), content, positions };
     Ok((entries::etag_header(row.number, &row.sha256), Json(body)))
 }
@@ -43,7 +54,7 @@ pub(super) async fn read_revision(
 #[utoipa::path(get, path = "/specifications/{id}/revisions/{number}/specification", tag = "revisions",
     params(("id" = String, Path), ("number" = u64, Path)),
     responses((status = 200, body = Object, content_type = "application/json", headers(("ETag" = String)))))]
-pub(super) async fn read_specification_file(
+async fn read_specification_file(
     State(api): State<Api>,
     PathParts((id, number)): PathParts<(String, u64)>,
 ) -> ApiResult<impl IntoResponse> {

@@ -12,11 +12,18 @@ use super::extract::{PathParts, QueryParts};
 use super::problem::{ApiError, ApiResult};
 use crate::clock::rfc3339;
 use crate::store::{EventRow, MAX_PAGE, PageRequest, RunFilter};
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
+
+/// The addresses of this module.
+pub(super) fn routes() -> OpenApiRouter<Api> {
+    OpenApiRouter::new().routes(routes!(list_runs)).routes(routes!(read_run)).routes(routes!(list_events))
+}
 
 /// Which runs.
 #[derive(Debug, Deserialize, IntoParams)]
 #[into_params(parameter_in = Query)]
-pub(super) struct RunQuery {
+struct RunQuery {
     /// Only runs of this specification.
     specification: Option<String>,
     /// `next` of the part before; left out for the first.
@@ -28,36 +35,28 @@ pub(super) struct RunQuery {
 
 /// The runs, the newest first.
 #[utoipa::path(get, path = "/runs", tag = "runs", params(RunQuery), responses((status = 200, body = Page<RunView>)))]
-pub(super) async fn list_runs(
+async fn list_runs(
     State(api): State<Api>,
     QueryParts(query): QueryParts<RunQuery>,
 ) -> ApiResult<Json<Page<RunView>>> {
     let limit = query.limit.unwrap_or(PageRequest::default().limit).clamp(1, MAX_PAGE);
     let page = PageRequest { after: query.after, limit };
     let filter = RunFilter { specification: query.specification, open_only: false };
-    let rows = api.store.runs(&filter, &page).await?;
-    let mut items = Vec::new();
-    for row in &rows.rows {
-        items.push(api.relay.view(row).await?);
-    }
-    Ok(Json(Page { items, next: rows.next }))
+    let runs = api.relay.runs(&filter, &page).await?;
+    Ok(Json(Page { items: runs.rows, next: runs.next }))
 }
 
 /// One run as it is now.
 #[utoipa::path(get, path = "/runs/{run}", tag = "runs", params(("run" = String, Path)),
     responses((status = 200, body = RunView)))]
-pub(super) async fn read_run(
-    State(api): State<Api>,
-    PathParts(run): PathParts<String>,
-) -> ApiResult<Json<RunView>> {
-    let row = api.store.run(&run).await?;
-    Ok(Json(api.relay.view(&row).await?))
+async fn read_run(State(api): State<Api>, PathParts(run): PathParts<String>) -> ApiResult<Json<RunView>> {
+    Ok(Json(api.relay.run(&run).await?))
 }
 
 /// Which events.
 #[derive(Debug, Deserialize, IntoParams)]
 #[into_params(parameter_in = Query)]
-pub(super) struct EventQuery {
+struct EventQuery {
     /// Only events after the one with this number.
     after: Option<u64>,
     /// How many at most.
@@ -68,7 +67,7 @@ pub(super) struct EventQuery {
 /// The events of a run, in order.
 #[utoipa::path(get, path = "/runs/{run}/events", tag = "runs", params(("run" = String, Path), EventQuery),
     responses((status = 200, body = Page<StoredEvent>)))]
-pub(super) async fn list_events(
+async fn list_events(
     State(api): State<Api>,
     PathParts(run): PathParts<String>,
     QueryParts(query): QueryParts<EventQuery>,

@@ -17,19 +17,26 @@ use crate::access::{Access, Caller, SESSION_COOKIE, SESSION_HOURS};
 use crate::clock;
 use crate::digest::sha256_hex;
 use crate::token::random_secret;
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
+
+/// The addresses of this module.
+pub(super) fn routes() -> OpenApiRouter<Api> {
+    OpenApiRouter::new().routes(routes!(read_session, open_session, close_session))
+}
 
 const HOUR_MS: i64 = 3_600_000;
 
 /// Who asks, and what they may do.
 #[utoipa::path(get, path = "/session", tag = "access", responses((status = 200, body = Session)))]
-pub(super) async fn read_session(State(api): State<Api>, caller: Caller) -> ApiResult<Json<Session>> {
+async fn read_session(State(api): State<Api>, caller: Caller) -> ApiResult<Json<Session>> {
     let role = caller.role.ok_or_else(|| ApiError::token_needed("log in with a token"))?;
     Ok(Json(Session { name: caller.name, role, tokens_needed: api.access.settings.tokens_needed }))
 }
 
 /// Opens a session with a token: the answer sets a cookie that lasts twelve hours and that scripts cannot read.
 #[utoipa::path(post, path = "/session", tag = "access", request_body = Login, responses((status = 204)))]
-pub(super) async fn open_session(
+async fn open_session(
     State(api): State<Api>,
     ConnectInfo(peer): ConnectInfo<SocketAddr>,
     cookies: CookieJar,
@@ -40,7 +47,9 @@ pub(super) async fn open_session(
         return Err(ApiError::token_needed("this token is not known here, or was revoked"));
     };
     if role == Role::Executor {
-        return Err(ApiError::not_allowed("a token of the role executor connects executors; it opens no session"));
+        return Err(ApiError::not_allowed(
+            "a token of the role executor connects executors; it opens no session",
+        ));
     }
     let secret = random_secret().map_err(|error| ApiError::broken(&error))?;
     let now = clock::now_ms();
@@ -52,10 +61,7 @@ pub(super) async fn open_session(
 
 /// Ends the session.
 #[utoipa::path(delete, path = "/session", tag = "access", responses((status = 204)))]
-pub(super) async fn close_session(
-    State(api): State<Api>,
-    cookies: CookieJar,
-) -> ApiResult<(StatusCode, CookieJar)> {
+async fn close_session(State(api): State<Api>, cookies: CookieJar) -> ApiResult<(StatusCode, CookieJar)> {
     if let Some(cookie) = cookies.get(SESSION_COOKIE) {
         api.store.delete_session(&sha256_hex(cookie.value().as_bytes())).await?;
     }

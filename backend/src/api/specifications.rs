@@ -16,11 +16,22 @@ use super::{Api, entries};
 use crate::access::Caller;
 use crate::clock;
 use crate::store::{NewRevision, SpecificationRow};
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
+
+/// The addresses of this module.
+pub(super) fn routes() -> OpenApiRouter<Api> {
+    OpenApiRouter::new().routes(routes!(list_specifications, create_specification)).routes(routes!(
+        read_specification,
+        save_specification,
+        delete_specification
+    ))
+}
 
 /// The specifications that the server keeps, the one saved last first.
 #[utoipa::path(get, path = "/specifications", tag = "specifications", params(ListQuery),
     responses((status = 200, body = Page<SpecificationEntry>)))]
-pub(super) async fn list_specifications(
+async fn list_specifications(
     State(api): State<Api>,
     QueryParts(query): QueryParts<ListQuery>,
 ) -> ApiResult<Json<Page<SpecificationEntry>>> {
@@ -31,7 +42,7 @@ pub(super) async fn list_specifications(
 /// Keeps a new specification; what is sent is its revision 1.
 #[utoipa::path(post, path = "/specifications", tag = "specifications", request_body = Save,
     responses((status = 201, body = SpecificationEntry, headers(("ETag" = String), ("Location" = String)))))]
-pub(super) async fn create_specification(
+async fn create_specification(
     State(api): State<Api>,
     caller: Caller,
     Body(save): Body<Save>,
@@ -46,7 +57,7 @@ pub(super) async fn create_specification(
 /// One specification, as its last revision has it.
 #[utoipa::path(get, path = "/specifications/{id}", tag = "specifications", params(("id" = String, Path)),
     responses((status = 200, body = SpecificationEntry, headers(("ETag" = String)))))]
-pub(super) async fn read_specification(
+async fn read_specification(
     State(api): State<Api>,
     PathParts(id): PathParts<String>,
 ) -> ApiResult<impl IntoResponse> {
@@ -57,7 +68,7 @@ pub(super) async fn read_specification(
 #[utoipa::path(put, path = "/specifications/{id}", tag = "specifications", request_body = Save,
     params(("id" = String, Path), ("If-Match" = String, Header)),
     responses((status = 200, body = SpecificationEntry, headers(("ETag" = String)))))]
-pub(super) async fn save_specification(
+async fn save_specification(
     State(api): State<Api>,
     caller: Caller,
     PathParts(id): PathParts<String>,
@@ -72,7 +83,7 @@ pub(super) async fn save_specification(
 /// Hides a specification. An approved one must be revoked before.
 #[utoipa::path(delete, path = "/specifications/{id}", tag = "specifications",
     params(("id" = String, Path), ("If-Match" = String, Header)), responses((status = 204)))]
-pub(super) async fn delete_specification(
+async fn delete_specification(
     State(api): State<Api>,
     PathParts(id): PathParts<String>,
     known: IfMatch,

@@ -1,7 +1,7 @@
 //! `goalgraph serve`: the app, the API and the relay.
 
 use std::future::Future;
-use std::io;
+use std::io::{self, IsTerminal};
 use std::net::{SocketAddr, ToSocketAddrs};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -79,7 +79,10 @@ fn addresses(listen: &str) -> Result<Vec<SocketAddr>, Failure> {
 
 fn start_log(format: LogFormat) {
     let filter = EnvFilter::try_from_env("GOALGRAPH_LOG").unwrap_or_else(|_| EnvFilter::new("info"));
-    let log = tracing_subscriber::fmt().with_env_filter(filter).with_writer(io::stderr);
+    let log = tracing_subscriber::fmt()
+        .with_env_filter(filter)
+        .with_writer(io::stderr)
+        .with_ansi(io::stderr().is_terminal());
     // There is one already when tests run several servers in one program.
     let _ = match format {
         LogFormat::Text => log.with_target(false).try_init(),
@@ -131,9 +134,9 @@ async fn access(
         if !tokens.iter().any(|token| token.revoked_at_ms.is_none()) {
             return Err(Failure::Usage(format!(
                 "error: --listen {}: tokens tell who may connect, and there is none yet; make one with\n  \
-                 goalgraph token create --role approver --name \"YOUR NAME\"{}",
+                 goalgraph token create \"YOUR NAME\" --role approver{}",
                 arguments.listen,
-                arguments.store.as_typed()
+                arguments.store.again()
             )));
         }
     }

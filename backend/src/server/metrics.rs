@@ -62,7 +62,11 @@ impl Metrics {
         }
         let ever = [
             ("run_events_stored", "Events of runs stored since the start", counts.events_stored),
-            ("executor_messages_refused", "Messages of executors refused since the start", counts.messages_refused),
+            (
+                "executor_messages_refused",
+                "Messages of executors refused since the start",
+                counts.messages_refused,
+            ),
         ];
         for (name, help, count) in ever {
             let counter = Counter::<u64>::default();
@@ -91,7 +95,9 @@ pub(super) async fn count(State(metrics): State<Arc<Metrics>>, request: Request,
 /// The method, or one word for all that nobody has heard of: whatever is asked, there are few counters.
 fn known(method: &Method) -> &str {
     match *method {
-        Method::GET | Method::HEAD | Method::POST | Method::PUT | Method::DELETE | Method::OPTIONS => method.as_str(),
+        Method::GET | Method::HEAD | Method::POST | Method::PUT | Method::DELETE | Method::OPTIONS => {
+            method.as_str()
+        }
         _ => "other",
     }
 }

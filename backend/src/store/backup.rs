@@ -85,7 +85,7 @@ pub struct BackupReport {
 }
 
 impl Store {
-    /// Copies everything that is stored at one moment into a new data folder with an `SQLite` database, from whichever
+    /// Copies everything that is stored at one moment into a new data folder with an SQLite database, from whichever
     /// database. Others may write meanwhile. The folder is there when all of it is there.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! Connections and transactions: what differs between `SQLite` and PostgreSQL.
+//! Connections and transactions: what differs between SQLite and PostgreSQL.
 
 use std::fs::File;
 use std::path::Path;
@@ -87,16 +87,7 @@ pub(super) async fn open(
 ) -> Result<AnyPool, StoreError> {
     sqlx::any::install_default_drivers();
     let backend = Backend::of(location)?;
-    let database = match &location.database {
-        Some(url) => AnyConnectOptions::from_str(url).map_err(|_| unreadable_url())?,
-        None => {
-            let file = files.database();
-            if !options.create && !file.is_file() {
-                return Err(StoreError::NoDatabase(location.data.clone()));
-            }
-            AnyConnectOptions::from_str(&sqlite_url(&file)?)?
-        }
-    };
+    let database = address(location, files, options)?;
     let greeting = backend.greeting(options);
     migrate(&database, &greeting, files).await?;
     let pool = AnyPoolOptions::new()
@@ -107,6 +98,22 @@ pub(super) async fn open(
         })
         .connect_lazy_with(database);
     Ok(pool)
+}
+
+/// What to connect to.
+fn address(
+    location: &Location,
+    files: &Files,
+    options: StoreOptions,
+) -> Result<AnyConnectOptions, StoreError> {
+    if let Some(url) = &location.database {
+        return AnyConnectOptions::from_str(url).map_err(|_| unreadable_url());
+    }
+    let file = files.database();
+    if !options.create && !file.is_file() {
+        return Err(StoreError::NoDatabase(location.data.clone()));
+    }
+    Ok(AnyConnectOptions::from_str(&sqlite_url(&file)?)?)
 }
 
 fn unreadable_url() -> StoreError {
@@ -138,7 +145,11 @@ async fn migrate(database: &AnyConnectOptions, greeting: &str, files: &Files) ->
     let _lock: File = tokio::task::spawn_blocking(lock).await.map_err(|error| {
         StoreError::Invalid(format!("the data folder could not be locked for migration: {error}"))
     })??;
-    let mut connection = database.connect().await?;
+    let mut connection = database.connect().await.map_err(|error| match error {
+        // The message may repeat any part of the URL.
+        sqlx::Error::Configuration(_) => unreadable_url(),
+        other => other.into(),
+    })?;
     greet(&mut connection, greeting.to_owned()).await?;
     let known = MIGRATIONS.iter().map(|it| it.version).max().unwrap_or(0);
     let migrated = MIGRATIONS.run_direct(None, &mut connection, false).await;

@@ -88,14 +88,14 @@ pub enum Conflict {
 fn approval_sentence(last: Option<&ApprovalRow>) -> String {
     match last {
         None => "no revision is approved".to_owned(),
-        Some(last) => format!("revision {} was {} meanwhile by {}", last.revision, last.kind, last.who),
+        Some(last) => format!("revision {} was {} by {}", last.revision, last.kind, last.who),
     }
 }
 
 impl StoreError {
     /// Nothing has this id.
-    pub(super) fn not_found(what: &'static str, id: impl ToString) -> Self {
-        Self::NotFound { what, id: id.to_string() }
+    pub(super) fn not_found(what: &'static str, id: impl Into<String>) -> Self {
+        Self::NotFound { what, id: id.into() }
     }
 
     /// A file or folder failed.
@@ -103,6 +103,15 @@ impl StoreError {
         match source.kind() {
             io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => Self::Full,
             _ => Self::Io { path: path.to_path_buf(), source },
+        }
+    }
+
+    /// What a failed migration means, when `known` is the last migration of this program.
+    pub(super) fn of_migration(error: MigrateError, known: i64) -> Self {
+        match error {
+            MigrateError::VersionMissing(found) if found > known => Self::NewerDatabase { found, known },
+            MigrateError::Execute(error) | MigrateError::ExecuteMigration(error, _) => error.into(),
+            other => Self::Corrupt(format!("the database's version: {other}")),
         }
     }
 }
@@ -147,16 +156,5 @@ fn of_database(error: &dyn DatabaseError) -> Option<StoreError> {
         "55P03" | "40001" | "40P01" | "53300" => Some(StoreError::Busy),
         "XX001" | "XX002" => Some(StoreError::Corrupt(format!("the database: {}", error.message()))),
         _ => None,
-    }
-}
-
-impl StoreError {
-    /// What a failed migration means, when `known` is the last migration of this program.
-    pub(super) fn of_migration(error: MigrateError, known: i64) -> Self {
-        match error {
-            MigrateError::VersionMissing(found) if found > known => Self::NewerDatabase { found, known },
-            MigrateError::Execute(error) | MigrateError::ExecuteMigration(error, _) => error.into(),
-            other => Self::Corrupt(format!("the database's version: {other}")),
-        }
     }
 }

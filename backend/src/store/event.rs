@@ -111,20 +111,20 @@ impl Store {
 }
 
 /// Keeps other writers from the run until the transaction ends, and returns the number of its newest event.
-async fn lock_run(writing: &mut Writing, run: &str) -> Result<u64, StoreError> {
+pub(super) async fn lock_run(writing: &mut Writing, run: &str) -> Result<u64, StoreError> {
     let query = "UPDATE runs SET last_event = last_event WHERE id = $1 RETURNING last_event";
     let last: Option<i64> = sqlx::query_scalar(query).bind(run).fetch_optional(writing.connection()).await?;
     Ok(last.ok_or_else(|| StoreError::not_found("run", run))?.unsigned_abs())
 }
 
-async fn set_last_event(writing: &mut Writing, run: &str, last: u64) -> Result<(), StoreError> {
+pub(super) async fn set_last_event(writing: &mut Writing, run: &str, last: u64) -> Result<(), StoreError> {
     let query = sqlx::query("UPDATE runs SET last_event = $1 WHERE id = $2");
     query.bind(stored_number(last)).bind(run).execute(writing.connection()).await?;
     Ok(())
 }
 
 /// Stores `event` of a run whose newest event has the number `last`, if it is the next.
-async fn append(
+pub(super) async fn append(
     writing: &mut Writing,
     run: &str,
     last: u64,

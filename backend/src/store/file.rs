@@ -78,7 +78,9 @@ impl Files {
         let stored = write(&temporary.0, limit_bytes, chunks).await?;
         if let Some(expected) = expected_sha256.filter(|&expected| expected != stored.sha256) {
             let found = &stored.sha256;
-            return Err(StoreError::Invalid(format!("the file has the SHA-256 {found}, expected {expected}")));
+            return Err(StoreError::Invalid(format!(
+                "the file has the SHA-256 {found}, expected {expected}"
+            )));
         }
         self.keep(&temporary.0, &stored.sha256).await?;
         Ok(stored)

@@ -206,6 +206,21 @@ impl Store {
         writing.commit().await?;
         Ok(row)
     }
+
+    /// Gives a run to another executor.
+    ///
+    /// # Errors
+    ///
+    /// [`StoreError::NotFound`]; [`StoreError::Invalid`] when the name cannot be stored; when the database fails.
+    pub async fn hand_over_run(&self, id: &str, executor: &str) -> Result<RunRow, StoreError> {
+        refuse_nul(&[("the executor's name", executor)])?;
+        let mut writing = self.write().await?;
+        let query = sqlx::query("UPDATE runs SET executor = $1 WHERE id = $2");
+        query.bind(executor).bind(id).execute(writing.connection()).await?;
+        let row = select_run(&mut writing, id).await?;
+        writing.commit().await?;
+        Ok(row)
+    }
 }
 
 async fn select_run(writing: &mut Writing, id: &str) -> Result<RunRow, StoreError> {

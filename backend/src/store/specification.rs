@@ -83,7 +83,7 @@ impl Store {
         insert_revision(&mut writing, &id, 1, new).await?;
         let row = select_specification(&mut writing, &id).await?;
         writing.commit().await?;
-        row.ok_or_else(|| StoreError::not_found("specification", &id))
+        row.ok_or_else(|| StoreError::not_found("specification", id))
     }
 
     /// The specifications, newest saved first. One that is saved while one reads page after page moves to the front.

@@ -67,7 +67,7 @@ impl Verification<'_> {
         }
     }
 
-    /// The pages of an `SQLite` file; PostgreSQL checks its own.
+    /// The pages of an SQLite file; PostgreSQL checks its own.
     async fn check_database(&mut self) -> Result<(), StoreError> {
         if self.store.backend() == Backend::Postgres {
             return Ok(());
