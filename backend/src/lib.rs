@@ -1,7 +1,17 @@
-//! The Goalgraph server: the app, embedded in the program, over HTTP on this computer.
+//! The Goalgraph server: the app, embedded in the program, the API, and the relay between approved specifications and
+//! robots.
 //!
-//! The command line in `main.rs` starts it with `goalgraph serve`; tests call [`server::app`].
+//! Modules in reading order: [`clock`] and [`digest`], the smallest things; [`token`] and [`store`], what is kept;
+//! [`relay`], the sockets of executors and of those who watch; [`access`], who may ask; [`api`], the JSON below
+//! `/api/v1`; [`server`], all of it over HTTP. The command line in `main.rs` starts it with `goalgraph serve`.
 
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
+pub mod access;
+pub mod api;
+pub mod clock;
+pub mod digest;
+pub mod relay;
 pub mod server;
+pub mod store;
+pub mod token;

@@ -19,7 +19,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use command::{check, export, infer, plan, schema, serve};
+use command::{backup, check, export, infer, plan, schema, serve, token, verify};
 
 /// Recorded demonstrations in, a probabilistic automaton of the task out.
 #[derive(Parser)]
@@ -43,6 +43,12 @@ enum Command {
     Schema,
     /// Serves the app to browsers on this computer
     Serve(serve::Arguments),
+    /// Makes, lists and revokes the tokens that other computers need
+    Token(token::Arguments),
+    /// Copies everything that the server keeps, also while it runs
+    Backup(backup::Arguments),
+    /// Checks that everything that the server keeps is what was stored
+    Verify(verify::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -53,6 +59,9 @@ fn main() -> ExitCode {
         Command::Export(arguments) => export::run(&arguments),
         Command::Schema => schema::run(),
         Command::Serve(arguments) => serve::run(&arguments),
+        Command::Token(arguments) => token::run(&arguments),
+        Command::Backup(arguments) => backup::run(&arguments),
+        Command::Verify(arguments) => verify::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

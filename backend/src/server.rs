@@ -1,52 +1,82 @@
-//! The server, in reading order: what there is to serve, how one file is answered, what every answer carries.
+//! The server, in reading order: what there is to serve, how one file is answered, what every answer carries, what is
+//! counted, how connections are taken.
 
 mod assets;
 mod caching;
 mod content_security;
+mod listener;
+mod metrics;
 mod pages;
 
+use std::sync::Arc;
+use std::time::Duration;
+
 use axum::extract::State;
-use axum::http::header::{CONTENT_SECURITY_POLICY, REFERRER_POLICY, X_CONTENT_TYPE_OPTIONS};
-use axum::http::{HeaderMap, HeaderValue, StatusCode, Uri};
-use axum::middleware::map_response;
+use axum::http::header::{
+    CONTENT_SECURITY_POLICY, REFERRER_POLICY, STRICT_TRANSPORT_SECURITY, X_CONTENT_TYPE_OPTIONS,
+};
+use axum::http::{HeaderMap, HeaderName, HeaderValue, Request, Uri};
+use axum::middleware::{from_fn_with_state, map_response_with_state};
 use axum::response::{IntoResponse, Response};
-use axum::routing::{any, get};
-use axum::{Json, Router};
-use serde::Serialize;
+use axum::routing::get;
+use axum::{Router, body::Body};
+use tower::ServiceBuilder;
+use tower_http::ServiceBuilderExt;
+use tower_http::catch_panic::CatchPanicLayer;
+use tower_http::compression::CompressionLayer;
+use tower_http::request_id::{MakeRequestUuid, RequestId};
+use tower_http::timeout::RequestBodyTimeoutLayer;
+use tower_http::trace::{DefaultOnResponse, TraceLayer};
+use tracing::{Level, Span};
+
+use crate::access::guard;
+use crate::api::{self, Api, ApiError};
+use metrics::Metrics;
 
 pub use assets::{Asset, Assets, embedded};
+pub use listener::{Listening, Tls};
+
+const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
+/// For so long browsers ask by https only, once they did.
+const HTTPS_ONLY: HeaderValue = HeaderValue::from_static("max-age=31536000");
+/// How long a client may take between two pieces of a body.
+const BODY_PATIENCE: Duration = Duration::from_secs(30);
+/// How long answers that are under way may take once the server is told to stop.
+pub const PATIENCE: Duration = Duration::from_secs(3);
 
 /// Everything that the server answers, with `assets` as the files of the app.
 ///
-/// Every answer carries a strict content security policy. Nothing is read but what `assets` hands out.
-pub fn app(assets: Assets) -> Router {
-    Router::new()
-        .route("/api/v1/health", get(health))
-        .route("/api/{*path}", any(unknown_api))
-        .fallback(get(file))
-        .layer(map_response(with_security_headers))
-        .with_state(assets)
+/// Every request passes the guard first; every answer carries a strict content security policy. The address of the other
+/// end is expected as [`axum::extract::ConnectInfo`].
+pub fn app(assets: Assets, api: Api) -> Router {
+    let metrics = Arc::new(Metrics::new());
+    let numbers = get(metrics::read).with_state((Arc::clone(&metrics), api.relay.clone()));
+    let access = Arc::clone(&api.access);
+    let https = access.settings.https;
+    let around = ServiceBuilder::new()
+        .set_request_id(REQUEST_ID, MakeRequestUuid)
+        .layer(
+            TraceLayer::new_for_http()
+                .make_span_with(span)
+                .on_response(DefaultOnResponse::new().level(Level::DEBUG)),
+        )
+        .propagate_request_id(REQUEST_ID);
+    api::router(api)
+        .layer(CompressionLayer::new())
+        .route("/metrics", numbers)
+        .fallback(get(file).with_state(assets))
+        .layer(RequestBodyTimeoutLayer::new(BODY_PATIENCE))
+        .layer(from_fn_with_state(metrics, metrics::count))
+        .layer(from_fn_with_state(access, guard))
+        .layer(CatchPanicLayer::custom(|_| ApiError::broken(&"a handler panicked").into_response()))
+        .layer(map_response_with_state(https, with_security_headers))
+        .layer(around)
 }
 
-/// The answer of `GET /api/v1/health`.
-#[derive(Serialize)]
-struct Health {
-    status: &'static str,
-    version: &'static str,
-}
-
-async fn health() -> Response {
-    Json(Health { status: "ok", version: env!("CARGO_PKG_VERSION") }).into_response()
-}
-
-/// What a call to an address below `/api` is told that is not there.
-#[derive(Serialize)]
-struct ApiError {
-    error: &'static str,
-}
-
-async fn unknown_api() -> Response {
-    (StatusCode::NOT_FOUND, Json(ApiError { error: "there is nothing at this address" })).into_response()
+/// What a line of the log says of a request: neither query nor headers, which may hold secrets.
+fn span(request: &Request<Body>) -> Span {
+    let id = request.extensions().get::<RequestId>().and_then(|id| id.header_value().to_str().ok());
+    tracing::info_span!("request", method = %request.method(), path = request.uri().path(), id)
 }
 
 async fn file(State(assets): State<Assets>, uri: Uri, headers: HeaderMap) -> Response {
@@ -62,10 +92,13 @@ async fn file(State(assets): State<Assets>, uri: Uri, headers: HeaderMap) -> Res
 }
 
 /// Adds what every answer must carry.
-async fn with_security_headers(mut response: Response) -> Response {
+async fn with_security_headers(State(https): State<bool>, mut response: Response) -> Response {
     let headers = response.headers_mut();
     headers.insert(CONTENT_SECURITY_POLICY, content_security::POLICY);
     headers.insert(X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
     headers.insert(REFERRER_POLICY, HeaderValue::from_static("no-referrer"));
+    if https {
+        headers.insert(STRICT_TRANSPORT_SECURITY, HTTPS_ONLY);
+    }
     response
 }

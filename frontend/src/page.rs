@@ -1,5 +1,6 @@
 //! The page: what a person sees and does.
 
+mod author;
 mod autosave;
 mod benchmark;
 mod clock;
@@ -10,10 +11,12 @@ mod download;
 mod dropped;
 mod geometry;
 mod keys;
+mod links;
 mod model;
 mod monitor;
 mod run_text;
 mod samples;
+mod server;
 mod text;
 mod theme;
 mod update;

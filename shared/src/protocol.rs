@@ -6,3 +6,4 @@
 pub mod api;
 pub mod executor;
 pub mod monitor;
+mod role;

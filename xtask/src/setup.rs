@@ -8,6 +8,7 @@ mod browser_tests;
 mod cargo_tools;
 mod chromium;
 mod debian;
+mod postgres;
 mod wasm_target;
 
 use std::env;
@@ -30,12 +31,14 @@ pub(crate) struct Tools {
     wasm_target: WasmTarget,
 }
 
-/// What the browser tests need on top.
+/// What the tests need on top.
 pub(crate) struct TestTools {
     /// What the app is built with.
     pub(crate) build: Tools,
     /// The browser.
     pub(crate) chromium: PathBuf,
+    /// The folder of PostgreSQL's programs.
+    pub(crate) postgres: PathBuf,
 }
 
 /// Installs what building the app and the server needs.
@@ -60,7 +63,7 @@ pub(crate) fn for_build(project: &Project) -> Result<Tools> {
     Ok(tools)
 }
 
-/// Installs what building and the browser tests need.
+/// Installs what building and the tests need.
 ///
 /// # Errors
 ///
@@ -68,9 +71,11 @@ pub(crate) fn for_build(project: &Project) -> Result<Tools> {
 pub(crate) fn for_test(project: &Project) -> Result<TestTools> {
     let build = for_build(project)?;
     let chromium = chromium::ensure()?;
+    let postgres = postgres::ensure()?;
     browser_tests::ensure(project)?;
     say(&format!("set-up: the browser is {}", chromium.display()));
-    Ok(TestTools { build, chromium })
+    say(&format!("set-up: PostgreSQL is in {}", postgres.display()));
+    Ok(TestTools { build, chromium, postgres })
 }
 
 impl Tools {

@@ -2,6 +2,7 @@
 //!
 //! The order is: what fails fastest first, and what is compiled for one check is there for the next.
 
+mod postgres;
 mod report;
 mod tally;
 
@@ -17,6 +18,7 @@ use crate::process::{cargo, first_line, run, run_watched};
 use crate::progress::say;
 use crate::project::Project;
 use crate::setup::TestTools;
+use postgres::Postgres;
 use report::{Outcome, Report};
 use tally::Tally;
 
@@ -101,8 +103,10 @@ fn clippy_app(_: &Project, tools: &TestTools, _: &mut Tally) -> Result<()> {
     ]))
 }
 
-/// With nextest, which runs them side by side, where it is installed.
-fn rust_tests(project: &Project, _: &TestTools, tally: &mut Tally) -> Result<()> {
+/// With nextest, which runs them side by side, where it is installed. The store is tested with a PostgreSQL as well: by
+/// hand, start one and set `GOALGRAPH_TEST_POSTGRES` to the URL of a user who may create databases.
+fn rust_tests(project: &Project, tools: &TestTools, tally: &mut Tally) -> Result<()> {
+    let postgres = Postgres::start(&tools.postgres)?;
     let has_nextest = first_line(cargo(&project.root).args(["nextest", "--version"])).is_some();
     let mut tests = cargo(&project.root);
     if has_nextest {
@@ -110,6 +114,7 @@ fn rust_tests(project: &Project, _: &TestTools, tally: &mut Tally) -> Result<()>
     } else {
         tests.args(["test", "--no-fail-fast", "--tests"]);
     }
+    tests.env(postgres::VARIABLE, postgres.url());
     run_watched(tests.arg("--locked").args(NATIVE_CRATES), |line| tally.read(line))
 }
 

@@ -1,6 +1,7 @@
 //! What follows from the ground state, computed once per change, and only when somebody looks at it.
 
 mod hits;
+mod keeping;
 mod marks;
 mod picture;
 mod residue;
@@ -30,6 +31,7 @@ use super::model::{Basis, Model, Selection, Tab};
 use super::verdict::{Verdict, verdicts};
 use crate::protocol::{FileContent, FileId};
 
+pub(crate) use keeping::{Drawing, Keeping, Sign, sha256, state_words};
 pub(crate) use marks::Marks;
 pub(crate) use picture::Picture;
 pub(crate) use residue::Residue;
@@ -94,6 +96,8 @@ pub(crate) struct Derived {
     pub(crate) lit: Memo<BTreeSet<(StateId, Symbol)>>,
     /// States that may be one, best first.
     pub(crate) candidates: Memo<Vec<MergeCandidate>>,
+    /// How the work stands with the server.
+    pub(crate) keeping: Keeping,
     /// What follows from what was heard of executors and runs.
     pub(crate) watched: Watched,
 }
@@ -196,6 +200,7 @@ impl Derived {
                 model.lit.with(|lit| lit.iter().flat_map(|word| ways(&specification.pdfa, word)).collect())
             }),
             candidates: Memo::new(move |_| candidates(model, specification.get())),
+            keeping: Keeping::of(model, specification),
             watched,
         }
     }

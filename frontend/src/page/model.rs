@@ -1,6 +1,7 @@
 //! Ground state: what nothing else could tell. Whatever follows from it is in [`super::derived`].
 
 mod editing;
+mod keeping;
 mod looking;
 mod watching;
 
@@ -21,6 +22,9 @@ use super::theme::Theme;
 use crate::protocol::{DemonstrationId, FileContent, FileId, Outcome, Track};
 
 pub(crate) use editing::{Draft, Gesture, Menu, MenuContent, Selection};
+pub(crate) use keeping::{
+    Compared, KeepDialog, Keeping, Kept, Lineage, Loading, Onto, Queued, Server, Signing,
+};
 pub(crate) use looking::{Search, Side, Simulation, TextPane, Tidied};
 pub(crate) use watching::{
     Connection, EventFilter, EventKind, EventLog, Heard, Replay, RunMode, SeenExecutor, Watching,
@@ -131,6 +135,8 @@ pub(crate) enum Overlay {
     Help,
     /// How long an edit takes.
     Benchmark,
+    /// Something about what the server keeps.
+    Keep(KeepDialog),
 }
 
 /// A sentence about what just happened.
@@ -250,6 +256,8 @@ pub(crate) struct Model {
     pub(crate) unkept: RwSignal<bool>,
     /// Names of earlier work that cannot be read.
     pub(crate) aside: RwSignal<Vec<String>>,
+    /// What the server keeps of it.
+    pub(crate) keeping: Keeping,
     /// Executors and runs.
     pub(crate) watching: Watching,
     /// The colors of the page.
@@ -301,6 +309,7 @@ impl Model {
             can_bring_back: RwSignal::default(),
             unkept: RwSignal::default(),
             aside: RwSignal::default(),
+            keeping: Keeping::default(),
             watching: Watching::new(),
             theme: RwSignal::new(Theme::stored()),
         }

@@ -3,7 +3,6 @@
 
 mod backoff;
 mod keep_up;
-mod requests;
 
 use std::time::Duration;
 
@@ -15,11 +14,12 @@ use js_sys::{Date, Promise};
 use leptos::prelude::*;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 
-use super::model::Connection;
+use super::model::{Connection, Server};
 use super::update::{Action, App, WatchAction};
 use backoff::Backoff;
 
-pub(crate) use requests::{RequestError, events, order, revision, runs};
+/// How long until it is looked again whether there is a server that lets the page in.
+const LOOK_AGAIN: Duration = Duration::from_millis(250);
 
 /// Watches from now on, for as long as the page is open.
 pub(crate) fn start(app: App) {
@@ -27,6 +27,10 @@ pub(crate) fn start(app: App) {
     spawn_local(async move {
         let mut backoff = Backoff::new();
         loop {
+            if !is_open(app) {
+                sleep(LOOK_AGAIN).await;
+                continue;
+            }
             if listen(app).await {
                 backoff = Backoff::new();
             }
@@ -34,6 +38,11 @@ pub(crate) fn start(app: App) {
             sleep(backoff.next_delay(js_sys::Math::random())).await;
         }
     });
+}
+
+/// Whether there is a server that lets the page in; asked without the network.
+fn is_open(app: App) -> bool {
+    app.model.keeping.server.with_untracked(|server| matches!(server, Server::Present(_)))
 }
 
 /// Takes what the server says, until the line breaks off; whether it said anything.

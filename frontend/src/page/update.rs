@@ -3,6 +3,7 @@
 mod action;
 mod edit;
 mod files;
+mod keeping;
 mod open;
 mod save;
 mod select;
@@ -31,6 +32,7 @@ use super::worker_link::WorkerLink;
 use crate::protocol::{FileId, ToWorker};
 
 pub(crate) use action::Action;
+pub(crate) use keeping::{Choice, KeepAction};
 pub(crate) use select::Flow;
 pub(crate) use watch::WatchAction;
 
@@ -52,6 +54,8 @@ struct Outside {
     let_go: RefCell<Option<autosave::LetGo>>,
     next_file: Cell<u32>,
     loads: Cell<u32>,
+    /// Whether files come that belong to what is there: nothing is to be learned from them unasked.
+    brought: Cell<bool>,
 }
 
 impl Notice {
@@ -81,6 +85,7 @@ impl App {
         self.model.theme.get_untracked().apply();
         samples::list(self);
         autosave::start(self);
+        self.start_keeping();
         monitor::start(self);
         // Something else was learned or opened.
         Effect::new(move |_| {
@@ -178,6 +183,7 @@ impl App {
                     unavailable.insert(symbol)
                 };
             }),
+            Action::Keep(action) => self.keep(action),
             Action::Overlay(overlay) => model.overlay.set(overlay),
             Action::ToggleTheme => self.set_theme(model.theme.get_untracked().toggled()),
             Action::Export(format) => self.export(format),

@@ -3,6 +3,8 @@
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+pub use super::role::{Role, UnknownRole};
+
 /// A part of a list.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -127,8 +129,6 @@ pub struct Approval {
     pub comment: String,
     /// When.
     pub at: String,
-    /// Number of the revision that was approved before.
-    pub instead_of: Option<u64>,
 }
 
 /// A demonstration file that the server keeps.
@@ -168,21 +168,6 @@ pub struct Session {
     pub role: Role,
     /// Whether this server asks for tokens.
     pub tokens_needed: bool,
-}
-
-/// What somebody may do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Role {
-    /// See everything.
-    Viewer,
-    /// Also save and delete.
-    Editor,
-    /// Also approve, revoke and command executors.
-    Approver,
-    /// Connect as an executor, and nothing else.
-    Executor,
 }
 
 /// A way in.

@@ -6,7 +6,7 @@ use leptos::prelude::*;
 use super::{Command, always};
 use crate::page::model::{RunMode, Tab};
 use crate::page::run_text::refusal;
-use crate::page::update::{Action, App, WatchAction};
+use crate::page::update::{Action, App, KeepAction, WatchAction};
 
 pub(super) const COMMANDS: &[Command] = &[
     Command {
@@ -173,10 +173,6 @@ fn order(app: App, command: Order) {
 
 fn open_followed(app: App) {
     if let Some(run) = app.derived.watched.run.get_untracked() {
-        app.act(Action::Watch(WatchAction::OpenRevision {
-            specification: run.specification,
-            name: run.name,
-            number: run.revision,
-        }));
+        app.act(Action::Keep(KeepAction::Open(run.specification, Some(run.revision))));
     }
 }

@@ -3,15 +3,14 @@
 mod fold;
 mod marks;
 
-use std::fmt::Write;
 use std::sync::Arc;
 
 use goalgraph::pdfa::Probabilities;
 use goalgraph::protocol::monitor::RunView;
 use goalgraph::specification::Specification;
 use leptos::prelude::*;
-use sha2::{Digest, Sha256};
 
+use super::keeping::sha256;
 use crate::page::model::{EventKind, Model, RunMode, SeenExecutor, Tab};
 use crate::page::run_text;
 
@@ -59,7 +58,7 @@ impl Watched {
         let watching = &model.watching;
         let mode = Memo::new(move |_| watching.mode.get().unwrap_or_default());
         let monitoring = Memo::new(move |_| model.tab.get() == Tab::Run && mode.get() == RunMode::Monitor);
-        let viewed_sha256 = Memo::new(move |_| viewed.get().map(|it| sha256(&it)));
+        let viewed_sha256 = Memo::new(move |_| viewed.get().map(|it| sha256(&it.to_json())));
         let run = Memo::new(move |_| run(model));
         let sha256 = Memo::new(move |_| run.with(|run| run.as_ref().map(|run| run.sha256.clone())));
         let agrees = Memo::new(move |_| sha256.with(Option::is_some) && sha256.get() == viewed_sha256.get());
@@ -106,15 +105,6 @@ impl Watched {
             executor: Memo::new(move |_| executor(model, run)),
         }
     }
-}
-
-/// SHA-256 of the file that a specification is kept as.
-pub(crate) fn sha256(specification: &Specification) -> String {
-    Sha256::digest(specification.to_json()).iter().fold(String::new(), |mut text, byte| {
-        // Writing to a string cannot fail.
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
 }
 
 /// The run that somebody chose, or the newest.

@@ -11,6 +11,7 @@ use goalgraph::plan::Strategy;
 use goalgraph::subset::SubsetRequest;
 use web_sys::File;
 
+use super::keeping::KeepAction;
 use super::select::Flow;
 use super::watch::WatchAction;
 use crate::page::model::{Menu, Notice, Overlay, Sample, Selection, Side, Tab, TextPane};
@@ -130,6 +131,8 @@ pub(crate) enum Action {
     ToggleTable,
     /// Say that a sub-goal is available, or not.
     SetAvailable(Symbol, bool),
+    /// Do something with what the server keeps.
+    Keep(KeepAction),
     /// Lay something over the page, or take it away.
     Overlay(Option<Overlay>),
     /// Change between light and dark.

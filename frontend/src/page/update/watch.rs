@@ -11,7 +11,7 @@ use wasm_bindgen_futures::spawn_local;
 
 use super::App;
 use crate::page::model::{Connection, EventFilter, Notice, RunMode, Tab};
-use crate::page::{monitor, run_text};
+use crate::page::{run_text, server};
 
 /// What can be asked of the watching part.
 #[derive(Clone, Debug)]
@@ -53,15 +53,6 @@ pub(crate) enum WatchAction {
         /// SHA-256 of the revision.
         sha256: String,
     },
-    /// Open a revision, as a step that can be undone.
-    OpenRevision {
-        /// Id of the specification.
-        specification: String,
-        /// What it is called.
-        name: String,
-        /// Number of the revision.
-        number: u64,
-    },
     /// Begin the edit that adds what the run completed as a word.
     Promote,
 }
@@ -93,9 +84,6 @@ impl App {
             WatchAction::FetchRevision { specification, number, sha256 } => {
                 self.fetch_revision(specification, number, sha256);
             }
-            WatchAction::OpenRevision { specification, name, number } => {
-                self.open_revision(specification, name, number);
-            }
             WatchAction::Promote => self.promote(),
         }
     }
@@ -118,7 +106,7 @@ impl App {
         }
         spawn_local(async move {
             let what = run_text::command(command);
-            self.say(match monitor::order(&executor, command).await {
+            self.say(match server::order(&executor, command).await {
                 Ok(()) => Notice::calm(format!("{what}: told to {executor}.")),
                 Err(reason) => Notice::alarm(format!("{what} was not told to {executor}: {reason}.")),
             });

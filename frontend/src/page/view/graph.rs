@@ -6,7 +6,7 @@ mod gesture;
 mod handles;
 mod live;
 mod minimap;
-mod paths;
+pub(crate) mod paths;
 mod state;
 mod transition;
 mod view_part;

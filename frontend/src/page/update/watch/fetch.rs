@@ -6,8 +6,8 @@ use goalgraph::specification::Specification;
 use leptos::prelude::*;
 use wasm_bindgen_futures::spawn_local;
 
-use crate::page::model::{EventLog, Notice, Tab};
-use crate::page::monitor::{self, RequestError};
+use crate::page::model::{EventLog, Notice};
+use crate::page::server;
 use crate::page::update::App;
 
 impl App {
@@ -21,7 +21,7 @@ impl App {
         spawn_local(async move {
             let failed = loop {
                 let after = log.with_untracked(|log| log.events.len() as u64);
-                let answer = monitor::events(&run, after).await;
+                let answer = server::events(&run, after).await;
                 if log.with_untracked(|log| log.run != run) {
                     // Another run is looked at meanwhile.
                     return;
@@ -64,7 +64,7 @@ impl App {
         older.update(|older| older.fetching = true);
         spawn_local(async move {
             let after = older.with_untracked(|older| older.next.clone());
-            let answer = monitor::runs(after.as_deref()).await;
+            let answer = server::runs(after.as_deref()).await;
             older.update(|older| older.fetching = false);
             match answer {
                 Ok(page) => {
@@ -91,25 +91,9 @@ impl App {
             });
         });
     }
-
-    /// Opens a revision, as a step that can be undone; the Run tab stays on display.
-    pub(super) fn open_revision(self, specification: String, name: String, number: u64) {
-        spawn_local(async move {
-            match read(&specification, number).await {
-                Ok(revision) => {
-                    self.replace(format!("Open r{number} of {name}"), revision);
-                    self.model.tab.set(Tab::Run);
-                    self.say(Notice::calm(format!("r{number} of {name} is open.")));
-                }
-                Err(reason) => {
-                    self.say(Notice::alarm(format!("r{number} of {name} is not open: {reason}.")));
-                }
-            }
-        });
-    }
 }
 
-async fn read(specification: &str, number: u64) -> Result<Specification, RequestError> {
-    let content = monitor::revision(specification, number).await?;
-    Specification::from_json(&content).map_err(|error| RequestError::Unreadable(error.to_string()))
+async fn read(specification: &str, number: u64) -> Result<Specification, String> {
+    let answer = server::revision(specification, number).await.map_err(|failure| failure.to_string())?;
+    Specification::from_json(&answer.value.content).map_err(|error| error.to_string())
 }

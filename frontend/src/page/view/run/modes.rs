@@ -4,7 +4,7 @@ use leptos::prelude::*;
 
 use crate::page::clock;
 use crate::page::commands::command;
-use crate::page::model::{Connection, RunMode};
+use crate::page::model::{Connection, RunMode, Server};
 use crate::page::update::App;
 
 /// The switch.
@@ -46,13 +46,17 @@ fn mode(app: App, mode: RunMode, id: &'static str, name: &'static str, badge: An
 
 /// How the line to the server is.
 pub(super) fn connection(app: App) -> impl IntoView {
+    let locked = move || app.model.keeping.server.with(|server| *server == Server::Locked);
+    let absent = move || app.model.keeping.server.with(|server| *server == Server::Absent);
     let text = move || match app.model.watching.connection.get() {
+        _ if locked() => ("locked", "The server asks for a token: log in to watch".to_owned()),
+        _ if absent() => ("none", "No server: no robot can be watched here".to_owned()),
         Connection::Connecting => ("connecting", "Connecting to the server".to_owned()),
         Connection::Live => ("live", "Live".to_owned()),
         Connection::Lost { since_ms } => {
             ("lost", format!("Reconnecting since {}: this is from before", clock::of_ms(since_ms)))
         }
-        Connection::NoServer => ("none", "No server that relays: no robot can be watched here".to_owned()),
+        Connection::NoServer => ("none", "The server does not answer".to_owned()),
     };
     view! {
         <p class="connection" role="status" data-connection=move || text().0>
