@@ -1,4 +1,6 @@
-import { resolve } from "node:path";
+import { mkdtempSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
 import { defineConfig } from "@playwright/test";
 
 // `cargo xtask test` sets these; the defaults are for `npm test` after `cargo xtask setup`.
@@ -41,6 +43,8 @@ export default defineConfig({
   },
   webServer: {
     command: `"${server}" serve --listen 127.0.0.1:${port}`,
+    // What the tests save is nobody's.
+    env: { GOALGRAPH_DATA: process.env.GOALGRAPH_DATA ?? mkdtempSync(join(tmpdir(), "goalgraph-e2e-")) },
     url: baseURL,
     reuseExistingServer: false,
     timeout: 30_000,

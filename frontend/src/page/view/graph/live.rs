@@ -64,7 +64,7 @@ pub(super) fn state_label(mark: &StateMark, label: String) -> String {
 }
 
 /// What is said of a transition.
-pub(super) fn transition_label(mark: TransitionMark, label: String) -> String {
+pub(super) fn transition_label(mark: TransitionMark, label: &str) -> String {
     let way = match mark.way {
         Way::Beside => "",
         Way::Taken(_) => ", taken",
@@ -91,7 +91,7 @@ mod tests {
     #[test]
     fn what_is_said_of_a_transition_tells_where_the_run_is_with_it() {
         let said = |way, unavailable| {
-            transition_label(TransitionMark { way, unavailable }, "red from q0 to q1".to_owned())
+            transition_label(TransitionMark { way, unavailable }, "red from q0 to q1")
         };
         assert_eq!(said(Way::Beside, false), "red from q0 to q1");
         assert_eq!(said(Way::Taken(3), false), "red from q0 to q1, taken");

@@ -46,7 +46,7 @@ pub(super) fn transition(app: App, source: StateId, symbol: Symbol) -> impl Into
         let marks = app.derived.watched.marks.get();
         marks.map(|marks| marks.transition(source, symbol)).unwrap_or_default()
     });
-    let label = move || Some(live::transition_label(mark.get(), label()?));
+    let label = move || Some(live::transition_label(mark.get(), &label()?));
     let left_out = move || {
         mark.get().unavailable
             || (!app.derived.watched.monitoring.get()
