@@ -40,7 +40,7 @@ pub(crate) struct Arguments {
     /// A page of another server that may ask, such as the address of a proxy; repeatable
     #[arg(long, value_name = "https://HOST")]
     origin: Vec<String>,
-    /// How the log on standard error is written; GOALGRAPH_LOG says how much (error, warn, info, debug)
+    /// How the log on standard error is written; the variable `GOALGRAPH_LOG` says how much (error, warn, info, debug)
     #[arg(long, value_enum, default_value_t)]
     log: LogFormat,
 }

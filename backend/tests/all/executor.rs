@@ -213,7 +213,7 @@ fn welcomed(begin: Begin) -> (Session, ToExecutor) {
         _ => None,
     });
     session.take_messages();
-    (session, offers.last().unwrap())
+    (session, offers.next_back().unwrap())
 }
 
 /// The same offer with another text, approval and SHA-256.

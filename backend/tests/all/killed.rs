@@ -196,7 +196,7 @@ fn report_until_it_dies(address: SocketAddr, known: &Mutex<Acknowledged>) {
 
 fn event(number: u64) -> FromExecutor {
     let sub_goal = Symbol(0);
-    let happened = if number % 2 == 0 {
+    let happened = if number.is_multiple_of(2) {
         RunEvent::Available { sub_goal }
     } else {
         RunEvent::Unavailable { sub_goal, reason: None }
