@@ -95,6 +95,7 @@ async fn serve(arguments: &Arguments, addresses: &[SocketAddr]) -> Result<(), Fa
     let store = Store::open(&location, StoreOptions::default())
         .await
         .map_err(|error| Failure::input(format!("{location}: {error}")))?;
+    store.remove_abandoned_uploads().await.map_err(|error| Failure::input(error.to_string()))?;
     let settings = access(arguments, addresses, &store).await?;
     let relay = Relay::open(store.clone(), RelayLimits::default())
         .await
