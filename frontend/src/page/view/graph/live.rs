@@ -90,9 +90,8 @@ mod tests {
 
     #[test]
     fn what_is_said_of_a_transition_tells_where_the_run_is_with_it() {
-        let said = |way, unavailable| {
-            transition_label(TransitionMark { way, unavailable }, "red from q0 to q1")
-        };
+        let said =
+            |way, unavailable| transition_label(TransitionMark { way, unavailable }, "red from q0 to q1");
         assert_eq!(said(Way::Beside, false), "red from q0 to q1");
         assert_eq!(said(Way::Taken(3), false), "red from q0 to q1, taken");
         assert_eq!(said(Way::Abandoned, true), "red from q0 to q1, left by the new plan, unavailable");
