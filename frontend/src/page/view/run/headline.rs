@@ -105,7 +105,7 @@ fn replanned(app: App) -> AnyView {
     let number = replanned.number;
     let go = move |_| app.act(Action::Watch(WatchAction::Replay(Some(number))));
     let text = view! {
-        <p class="replanned-text" data-replanned=number.to_string()>
+        <p class="replanned-text" title=text.clone() data-replanned=number.to_string()>
             <span class="turn" aria-hidden="true">"↻"</span>
             <span>{text}</span>
             <button type="button" class="link" on:click=go>{format!("event {number}")}</button>

@@ -148,12 +148,12 @@ impl Scroll {
         self.follows.set(top + height >= f64::from(list.scroll_height()) - ROW / 2.0);
     }
 
-    /// Scrolls once what was added is there.
+    /// Scrolls once what was added is there; by then the list itself may be gone.
     fn go(self, place: f64) {
         request_animation_frame(move || {
-            if let Some(list) = self.node.get_untracked() {
+            if let Some(list) = self.node.try_get_untracked().flatten() {
                 list.set_scroll_top(place as i32);
-                self.height.set(f64::from(list.client_height()));
+                let _ = self.height.try_set(f64::from(list.client_height()));
             }
         });
     }
