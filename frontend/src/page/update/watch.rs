@@ -145,7 +145,9 @@ impl App {
         // Ids are never reused, but another specification has ids of its own.
         let same = |symbol: &goalgraph::pdfa::Symbol| {
             let (there, here) = (followed.specification.sub_goal(*symbol), viewed.sub_goal(*symbol));
-            there.zip(here).is_some_and(|(there, here)| there.ball == here.ball)
+            there.zip(here).is_some_and(|(there, here)| {
+                there.ball == here.ball && (here.ball.is_some() || there.name == here.name)
+            })
         };
         let strange = run.trail.iter().find(|symbol| !same(symbol));
         strange.map(|symbol| {

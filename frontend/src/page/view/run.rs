@@ -2,6 +2,7 @@
 
 mod executors;
 mod headline;
+mod holding;
 mod log;
 mod log_row;
 mod modes;

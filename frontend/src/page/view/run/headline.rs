@@ -11,6 +11,8 @@ use crate::page::update::{Action, App, WatchAction};
 /// The run in words and chips.
 pub(super) fn headline(app: App) -> impl IntoView {
     let shown = app.derived.watched.shown;
+    // A new plan is announced once, not again with every event after it.
+    let there = Memo::new(move |_| shown.with(Option::is_some));
     view! {
         <header class="headline">
             <div class="headline-title">
@@ -21,7 +23,7 @@ pub(super) fn headline(app: App) -> impl IntoView {
                 <span class="read-only" title="Runs are only watched here: edit on the Automaton tab.">"Read-only"</span>
             </div>
             {move || shown.get().map(|run| progress(app, &run))}
-            <div class="replanned" role="status" aria-live="polite">{move || replanned(app)}</div>
+            <div class="replanned" role="status" aria-live="polite">{move || there.get().then(|| replanned(app))}</div>
         </header>
     }
 }
@@ -93,10 +95,9 @@ pub(super) fn run_chip(app: App, symbol: Symbol) -> impl IntoView {
 
 /// The last new plan, with the way to its event. The line is there from the first plan on, so that the graph below it
 /// does not jump when a new one is made.
-fn replanned(app: App) -> Option<AnyView> {
-    app.derived.watched.shown.with(Option::is_some).then_some(())?;
+fn replanned(app: App) -> AnyView {
     let Some(replanned) = app.derived.watched.replanned.get() else {
-        return Some(view! { <p class="hint">"No new plan so far."</p> }.into_any());
+        return view! { <p class="hint">"No new plan so far."</p> }.into_any();
     };
     let followed = app.derived.watched.followed.get();
     let specification = followed.as_ref().map(|it| &*it.specification);
@@ -104,11 +105,11 @@ fn replanned(app: App) -> Option<AnyView> {
     let number = replanned.number;
     let go = move |_| app.act(Action::Watch(WatchAction::Replay(Some(number))));
     let text = view! {
-        <p class="replanned-text" data-replanned=number.to_string()>
+        <p class="replanned-text" title=text.clone() data-replanned=number.to_string()>
             <span class="turn" aria-hidden="true">"↻"</span>
             <span>{text}</span>
             <button type="button" class="link" on:click=go>{format!("event {number}")}</button>
         </p>
     };
-    Some(text.into_any())
+    text.into_any()
 }

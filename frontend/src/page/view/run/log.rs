@@ -69,64 +69,22 @@ fn filter(app: App) -> impl IntoView {
     }
 }
 
-/// The rows. It follows the newest unless somebody has scrolled up.
+/// The rows that are in view.
 fn list(app: App) -> impl IntoView {
-    let node = NodeRef::<Div>::new();
+    let scroll = Scroll::new();
     let listed = app.derived.watched.listed;
-    let top = RwSignal::new(0.0_f64);
-    let height = RwSignal::new(0.0_f64);
-    let follows = RwSignal::new(true);
-    let scrolled = move |_| {
-        let Some(list) = node.get_untracked() else { return };
-        let (from, view) = (f64::from(list.scroll_top()), f64::from(list.client_height()));
-        top.set(from);
-        height.set(view);
-        follows.set(from + view >= f64::from(list.scroll_height()) - ROW / 2.0);
-    };
-    let scroll_to = move |place: f64| {
-        request_animation_frame(move || {
-            if let Some(list) = node.get_untracked() {
-                list.set_scroll_top(place as i32);
-                height.set(f64::from(list.client_height()));
-            }
-        });
-    };
-    Effect::new(move |_| {
-        let number = listed.with(Vec::len);
-        node.track();
-        if follows.get_untracked() && app.model.watching.replay.get_untracked().is_none() {
-            scroll_to(number as f64 * ROW);
-        }
-    });
-    Effect::new(move |_| {
-        let Some(replay) = app.model.watching.replay.get() else { return };
-        let place = app.model.watching.log.with_untracked(|log| {
-            let is_before = |index: &usize| log.events[*index].number < replay.at;
-            listed.with_untracked(|listed| listed.partition_point(is_before))
-        });
-        let (place, view) = (place as f64 * ROW, height.get_untracked());
-        let seen = top.get_untracked()..(top.get_untracked() + view - ROW);
-        if !seen.contains(&place) {
-            scroll_to((place - view / 2.0).max(0.0));
-        }
-    });
-    let rows = Memo::new(move |_| {
-        let first = ((top.get() / ROW) as usize).saturating_sub(MARGIN);
-        let number = (height.get().max(ROW) / ROW).ceil() as usize + 2 * MARGIN;
-        let part = |listed: &Vec<usize>| {
-            listed.iter().copied().enumerate().skip(first).take(number).collect::<Vec<_>>()
-        };
-        listed.with(part)
-    });
+    follow_newest(app, scroll);
+    follow_replay(app, scroll);
+    let rows = Memo::new(move |_| listed.with(|listed| scroll.in_view(listed)));
     let whole = move || format!("{}px", listed.with(Vec::len) as f64 * ROW);
     let newest = move |_| {
-        follows.set(true);
         app.act(Action::Watch(WatchAction::Replay(None)));
-        scroll_to(listed.with_untracked(Vec::len) as f64 * ROW);
+        scroll.follows.set(true);
+        scroll.go(listed.with_untracked(Vec::len) as f64 * ROW);
     };
     view! {
         <div class="log-frame">
-            <div class="log" role="list" aria-label="Events" tabindex="0" node_ref=node on:scroll=scrolled>
+            <div class="log" role="list" aria-label="Events" tabindex="0" node_ref=scroll.node on:scroll=move |_| scroll.read()>
                 <div class="log-space" role="presentation" style:height=whole>
                     <For
                         each=move || rows.get()
@@ -135,9 +93,83 @@ fn list(app: App) -> impl IntoView {
                     />
                 </div>
             </div>
-            {move || (!follows.get()).then(|| view! {
+            {move || (!scroll.follows.get()).then(|| view! {
                 <button type="button" class="button small to-newest" on:click=newest>"Newest ↓"</button>
             })}
         </div>
+    }
+}
+
+/// The newest stays in view unless somebody has scrolled up.
+fn follow_newest(app: App, scroll: Scroll) {
+    let listed = app.derived.watched.listed;
+    Effect::new(move |_| {
+        let number = listed.with(Vec::len);
+        scroll.node.track();
+        if scroll.follows.get_untracked() && app.model.watching.replay.get_untracked().is_none() {
+            scroll.go(number as f64 * ROW);
+        }
+    });
+}
+
+/// The event of the replay comes into view.
+fn follow_replay(app: App, scroll: Scroll) {
+    Effect::new(move |_| {
+        let Some(replay) = app.model.watching.replay.get() else { return };
+        let place = app.model.watching.log.with_untracked(|log| {
+            let is_before = |index: &usize| log.events.get(*index).is_some_and(|it| it.number < replay.at);
+            app.derived.watched.listed.with_untracked(|listed| listed.partition_point(is_before))
+        });
+        scroll.show(place as f64 * ROW);
+    });
+}
+
+/// How the list is scrolled, as the browser says.
+#[derive(Clone, Copy)]
+struct Scroll {
+    node: NodeRef<Div>,
+    top: RwSignal<f64>,
+    height: RwSignal<f64>,
+    /// Whether the end is in view.
+    follows: RwSignal<bool>,
+}
+
+impl Scroll {
+    fn new() -> Self {
+        let (top, height) = (RwSignal::default(), RwSignal::default());
+        Self { node: NodeRef::new(), top, height, follows: RwSignal::new(true) }
+    }
+
+    fn read(self) {
+        let Some(list) = self.node.get_untracked() else { return };
+        let (top, height) = (f64::from(list.scroll_top()), f64::from(list.client_height()));
+        self.top.set(top);
+        self.height.set(height);
+        self.follows.set(top + height >= f64::from(list.scroll_height()) - ROW / 2.0);
+    }
+
+    /// Scrolls once what was added is there; by then the list itself may be gone.
+    fn go(self, place: f64) {
+        request_animation_frame(move || {
+            if let Some(list) = self.node.try_get_untracked().flatten() {
+                list.set_scroll_top(place as i32);
+                let _ = self.height.try_set(f64::from(list.client_height()));
+            }
+        });
+    }
+
+    /// Scrolls only when the row at `place` is out of view.
+    fn show(self, place: f64) {
+        let (top, height) = (self.top.get_untracked(), self.height.get_untracked());
+        if place < top || place + ROW > top + height {
+            self.go((place - height / 2.0).max(0.0));
+        }
+    }
+
+    /// Positions of the rows in view and a few around them, each with what is listed there.
+    fn in_view(self, listed: &[usize]) -> Vec<(usize, usize)> {
+        let first = ((self.top.get() / ROW) as usize).saturating_sub(MARGIN);
+        let number = (self.height.get().max(ROW) / ROW).ceil() as usize + 2 * MARGIN;
+        listed.iter().copied().enumerate().skip(first).take(number).collect()
     }
 }

@@ -17,13 +17,14 @@ pub(super) fn row(app: App, place: usize, index: usize) -> impl IntoView {
     event.map(|event| {
         let (number, time) = (event.number, clock::of(&event.stored_at));
         let class = format!("event {}", class(&event.happened));
+        let size = move || app.derived.watched.listed.with(Vec::len).to_string();
         let shown = move || app.derived.watched.shown.with(|run| run.as_ref().map_or(0, |it| it.events));
         let sentence = Memo::new(move |_| {
             let followed = app.derived.watched.followed.get();
             happened(followed.as_ref().map(|it| &*it.specification), &event.happened)
         });
         view! {
-            <div class="log-row" role="listitem" style:top=top>
+            <div class="log-row" role="listitem" aria-setsize=size aria-posinset=(place + 1).to_string() style:top=top>
                 <button
                     type="button"
                     class=class
