@@ -78,7 +78,7 @@ impl Hub {
     pub(super) fn forget_runs(&mut self, idle: usize, finished: usize, lasting: std::time::Duration) {
         let is_worked_on =
             |run: &RelayedRun| run.lease.as_ref().is_some_and(|lease| lease.presence.is_live(lasting));
-        let over = self.beyond(finished, |run| run.run.phase.is_over());
+        let over = self.beyond(finished, |run| run.closed);
         let left = self.beyond(idle, |run| !run.run.phase.is_over() && !is_worked_on(run));
         for id in over.into_iter().chain(left) {
             if let Some(run) = self.runs.remove(&id) {
