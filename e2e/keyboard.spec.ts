@@ -24,7 +24,7 @@ test("from the start screen to the exported automaton by keyboard alone", async 
   await page.keyboard.press("Escape");
   await expect(page.getByRole("heading", { name: "State q0" })).toBeHidden();
 
-  const [saved] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
+  const [saved] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("j")]);
   expect(saved.suggestedFilename()).toBe("tower.goalgraph.json");
   expect(JSON.parse(await readFile(await saved.path(), "utf8")).automaton.states).toHaveLength(5);
 });
@@ -46,7 +46,7 @@ test("every command is on the help page, with its key", async ({ page }) => {
   await openApp(page);
   await page.keyboard.press("?");
   const help = page.getByRole("dialog", { name: "Help" });
-  for (const [command, key] of [["Infer", "I"], ["Export JSON", "Ctrl+S"], ["Commands", "Ctrl+K"], ["Fit", "Shift+1"]]) {
+  for (const [command, key] of [["Infer", "I"], ["Save", "Ctrl+S"], ["Export JSON", "J"], ["Commands", "Ctrl+K"], ["Fit", "Shift+1"]]) {
     await expect(help.getByRole("row").filter({ has: page.getByRole("rowheader", { name: command, exact: true }) })).toContainText(key);
   }
   await page.keyboard.press("Escape");

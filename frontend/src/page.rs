@@ -1,7 +1,9 @@
 //! The page: what a person sees and does.
 
+mod author;
 mod autosave;
 mod benchmark;
+mod clock;
 mod colors;
 mod commands;
 mod derived;
@@ -9,8 +11,12 @@ mod download;
 mod dropped;
 mod geometry;
 mod keys;
+mod links;
 mod model;
+mod monitor;
+mod run_text;
 mod samples;
+mod server;
 mod text;
 mod theme;
 mod update;

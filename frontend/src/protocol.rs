@@ -5,7 +5,7 @@
 
 use goalgraph::demonstration::Feature;
 use goalgraph::infer::{InferRequest, Progress};
-use goalgraph::layout::Layout;
+use goalgraph::layout::{Layout, LayoutRequest};
 use goalgraph::pdfa::Word;
 use serde::{Deserialize, Serialize};
 
@@ -56,6 +56,13 @@ pub enum ToWorker {
         /// Which request this is; the answer has the same number.
         number: u32,
     },
+    /// Place boxes and arrows that are not those of the work.
+    Place {
+        /// The boxes and arrows.
+        request: LayoutRequest,
+        /// Which request this is; the answer has the same number.
+        number: u32,
+    },
     /// Draw a specification as an SVG file.
     DrawSvg {
         /// Its text.
@@ -100,6 +107,13 @@ pub enum FromWorker {
         /// The layouts, or why there are none.
         result: Result<Vec<Layout>, String>,
     },
+    /// Where boxes and arrows are.
+    Placed {
+        /// The number of the request.
+        number: u32,
+        /// The layout; none when they cannot be placed.
+        layout: Option<Layout>,
+    },
     /// The SVG file.
     Svg(Result<String, String>),
 }
@@ -107,6 +121,8 @@ pub enum FromWorker {
 /// What a file holds: at least one demonstration, all with the same features.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FileContent {
+    /// SHA-256 of the file, hexadecimal.
+    pub sha256: String,
     /// The features.
     pub features: Vec<Feature>,
     /// The demonstrations, in the order of the file.

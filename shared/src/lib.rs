@@ -17,6 +17,7 @@
 pub mod conformance;
 pub mod dbscan;
 pub mod demonstration;
+pub mod difference;
 pub mod distance;
 pub mod dwell;
 pub mod edit;

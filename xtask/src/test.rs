@@ -2,6 +2,7 @@
 //!
 //! The order is: what fails fastest first, and what is compiled for one check is there for the next.
 
+mod api;
 mod postgres;
 mod report;
 mod tally;
@@ -30,7 +31,7 @@ struct Check {
     needs: &'static [&'static str],
 }
 
-const CHECKS: [Check; 10] = [
+const CHECKS: [Check; 11] = [
     Check { name: "format", run: format, needs: &[] },
     Check { name: "clippy", run: clippy, needs: &[] },
     Check { name: "clippy, app", run: clippy_app, needs: &[] },
@@ -44,6 +45,7 @@ const CHECKS: [Check; 10] = [
         needs: &["app"],
     },
     Check { name: "Python executor", run: python_executor, needs: &["server"] },
+    Check { name: "API", run: requests_to_the_api, needs: &["server"] },
     Check { name: "browser tests", run: browser_tests, needs: &["server"] },
 ];
 
@@ -146,6 +148,10 @@ fn python_executor(project: &Project, tools: &TestTools, tally: &mut Tally) -> R
     };
     run(&mut python("mypy"))?;
     run_watched(&mut python("pytest"), |line| tally.read(line))
+}
+
+fn requests_to_the_api(project: &Project, tools: &TestTools, _: &mut Tally) -> Result<()> {
+    api::check(project, &app::server(project, Profile::Debug), &tools.python)
 }
 
 fn browser_tests(project: &Project, tools: &TestTools, tally: &mut Tally) -> Result<()> {

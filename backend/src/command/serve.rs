@@ -40,7 +40,7 @@ pub(crate) struct Arguments {
     /// A page of another server that may ask, such as the address of a proxy; repeatable
     #[arg(long, value_name = "https://HOST")]
     origin: Vec<String>,
-    /// How the log on standard error is written; GOALGRAPH_LOG says how much (error, warn, info, debug)
+    /// How the log on standard error is written; the variable `GOALGRAPH_LOG` says how much (error, warn, info, debug)
     #[arg(long, value_enum, default_value_t)]
     log: LogFormat,
 }
@@ -95,6 +95,7 @@ async fn serve(arguments: &Arguments, addresses: &[SocketAddr]) -> Result<(), Fa
     let store = Store::open(&location, StoreOptions::default())
         .await
         .map_err(|error| Failure::input(format!("{location}: {error}")))?;
+    store.remove_abandoned_uploads().await.map_err(|error| Failure::input(error.to_string()))?;
     let settings = access(arguments, addresses, &store).await?;
     let relay = Relay::open(store.clone(), RelayLimits::default())
         .await

@@ -58,7 +58,7 @@ pub async fn run(
         Shell { session, say, stop: Some(stop), deadline: None, ticks, last_tick: Instant::now() };
     let mut backoff = Backoff::default();
     while !shell.is_over() {
-        let lost = match shell.connection(address).await {
+        let lost = match Box::pin(shell.connection(address)).await {
             Ok(()) => return Ok(()),
             Err(Lost::ForGood(error)) => return Err(error),
             Err(Lost::ForNow(why)) => why,
@@ -91,7 +91,7 @@ impl<S: FnMut(&str)> Shell<S> {
     async fn connection(&mut self, address: &Address) -> Result<(), Lost> {
         let connecting = connect_async_tls_with_config(address.request(), None, true, address.connector());
         let attempt = timeout(PATIENCE, connecting);
-        let socket = match self.meanwhile(attempt).await {
+        let socket = match Box::pin(self.meanwhile(attempt)).await {
             None => return Ok(()),
             Some(Ok(Ok((socket, _)))) => socket,
             Some(Ok(Err(error))) => return Err(address.explain(error)),

@@ -107,8 +107,8 @@ mod tests {
             let point = robot.point(&ball.features);
             assert!(!ball.contains(&point));
             let way: f64 = ball.center.iter().zip(&point).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
-            let steps = (1..).find(|_| robot.work(sub_goal, 0.02)).unwrap();
-            assert_eq!(f64::from(steps), (way / (0.5 * 0.02)).ceil());
+            let steps = (1..100_000_u32).find(|_| robot.work(sub_goal, 0.02)).unwrap();
+            assert_eq!(steps, (way / (0.5 * 0.02)).ceil() as u32);
             assert_eq!(robot.point(&ball.features), ball.center);
         }
     }

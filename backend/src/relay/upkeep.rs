@@ -40,7 +40,7 @@ impl Inner {
                 hub.mark_approved(ApprovedView { specification: specification.to_owned(), name, revision });
             }
             Err(error) => {
-                tracing::warn!(specification, %error, "what is approved cannot be read; trying again")
+                tracing::warn!(specification, %error, "what is approved cannot be read; trying again");
             }
         }
     }

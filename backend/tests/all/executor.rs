@@ -208,12 +208,12 @@ fn welcomed(begin: Begin) -> (Session, ToExecutor) {
     let mut session = Session::new(Settings { name, begin, runs: None, speed: 1.0, disturbances });
     session.connected();
     session.heard(ToExecutor::Welcome { heartbeat_ms: 5000, lease_ms: 15_000, max_message_bytes: 1 << 18 });
-    let offers = transcript().into_iter().filter_map(|spoken| match spoken {
+    let mut offers = transcript().into_iter().filter_map(|spoken| match spoken {
         Spoken::Server(offer @ ToExecutor::Specification { .. }) => Some(offer),
         _ => None,
     });
     session.take_messages();
-    (session, offers.last().unwrap())
+    (session, offers.next_back().unwrap())
 }
 
 /// The same offer with another text, approval and SHA-256.

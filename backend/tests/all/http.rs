@@ -165,13 +165,13 @@ pub(crate) fn try_send(
     let mut stream = TcpStream::connect(address).ok()?;
     let mut head = format!("{method} {path} HTTP/1.1\r\nconnection: close\r\n");
     if !headers.iter().any(|(name, _)| *name == "host") {
-        head += &format!("host: {address}\r\n");
+        head.extend(["host: ", &address.to_string(), "\r\n"]);
     }
     for (name, value) in headers {
         head.extend([*name, ": ", *value, "\r\n"]);
     }
     if !headers.iter().any(|(name, _)| *name == "content-length") && !body.is_empty() {
-        head += &format!("content-length: {}\r\n", body.len());
+        head.extend(["content-length: ", &body.len().to_string(), "\r\n"]);
     }
     stream.write_all((head + "\r\n").as_bytes()).ok()?;
     // A server that refuses a body may not read it.

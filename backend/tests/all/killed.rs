@@ -88,12 +88,12 @@ fn what_was_acknowledged_is_there_after_the_program_was_killed() {
         let mut program = Program::start(folder.path());
         check(&program, &path, &known.lock().unwrap());
         thread::scope(|scope| {
-            let (address, pid) = (program.address, &mut program.child);
-            scope.spawn(|| save_until_it_dies(address, &path, &known));
-            scope.spawn(|| report_until_it_dies(address, &known));
+            let (address, path, known) = (program.address, path.as_str(), &known);
+            scope.spawn(move || save_until_it_dies(address, path, known));
+            scope.spawn(move || report_until_it_dies(address, known));
             // Spread over everything that happens in the first moments of saves, events and the two together.
             thread::sleep(Duration::from_micros(20_000 + kill * 7_919 % 97 * 1_000));
-            pid.kill().unwrap();
+            program.child.kill().unwrap();
         });
     }
     let program = Program::start(folder.path());
@@ -196,7 +196,7 @@ fn report_until_it_dies(address: SocketAddr, known: &Mutex<Acknowledged>) {
 
 fn event(number: u64) -> FromExecutor {
     let sub_goal = Symbol(0);
-    let happened = if number % 2 == 0 {
+    let happened = if number.is_multiple_of(2) {
         RunEvent::Available { sub_goal }
     } else {
         RunEvent::Unavailable { sub_goal, reason: None }

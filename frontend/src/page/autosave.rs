@@ -20,7 +20,7 @@ use web_sys::File;
 
 use super::model::{Basis, Learned, Notice, Tab};
 use super::text::count;
-use super::update::{Action, App};
+use super::update::{Action, App, KeepAction};
 use saved::{Saved, SavedLearning};
 use store::{Shelf, Store};
 
@@ -43,6 +43,7 @@ pub(crate) fn start(app: App) {
             }
             Err(_) => say_unkept(app),
         }
+        app.act(Action::Keep(KeepAction::Restored));
     });
 }
 
@@ -120,6 +121,7 @@ fn put_back(app: App, saved: Saved, history: Option<History>, files: Vec<(String
     app.model.task_name.set(saved.task_name);
     app.model.held.set(saved.held);
     app.model.history.set(history);
+    app.act(Action::Keep(KeepAction::PutBack(saved.lineages, saved.queued)));
     app.act(Action::Open(files));
     if let Some(SavedLearning { files, request, outcome }) = saved.learned {
         let settings = super::model::Settings {
@@ -175,6 +177,8 @@ fn watch(app: App, store: Rc<Store>) {
         app.model.learned.track();
         app.model.files.track();
         app.model.task_name.track();
+        app.model.keeping.lineages.track();
+        app.model.keeping.queued.track();
         if before.is_none() {
             return;
         }
@@ -222,6 +226,8 @@ fn current(app: App) -> Saved {
         task_name: model.task_name.get_untracked(),
         files: model.files.with_untracked(|files| files.iter().map(|file| file.name.clone()).collect()),
         learned: model.learned.with_untracked(|learned| learned.as_ref().map(learning)),
+        lineages: model.keeping.lineages.get_untracked(),
+        queued: model.keeping.queued.get_untracked(),
         ..Saved::empty()
     }
 }

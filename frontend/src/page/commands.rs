@@ -4,12 +4,15 @@ mod drawing;
 mod editing;
 mod files;
 mod going;
+mod keeping;
+mod running;
 
 use leptos::prelude::*;
 
 use super::update::App;
 
 pub(crate) use files::FILE_INPUT;
+pub(crate) use keeping::{is_kept, may_approve};
 
 /// What a person can do.
 pub(crate) struct Command {
@@ -30,10 +33,12 @@ pub(crate) struct Command {
 }
 
 /// The table in its parts, each with what it is about, in the order of the help page.
-pub(crate) const GROUPS: [(&str, &[Command]); 4] = [
+pub(crate) const GROUPS: [(&str, &[Command]); 6] = [
     ("Files", files::COMMANDS),
+    ("Server", keeping::COMMANDS),
     ("Editing", editing::COMMANDS),
     ("Drawing", drawing::COMMANDS),
+    ("Running", running::COMMANDS),
     ("Going around", going::COMMANDS),
 ];
 

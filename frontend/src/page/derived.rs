@@ -1,10 +1,12 @@
 //! What follows from the ground state, computed once per change, and only when somebody looks at it.
 
 mod hits;
+mod keeping;
 mod marks;
 mod picture;
 mod residue;
 mod variants;
+mod watched;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -29,10 +31,12 @@ use super::model::{Basis, Model, Selection, Tab};
 use super::verdict::{Verdict, verdicts};
 use crate::protocol::{FileContent, FileId};
 
+pub(crate) use keeping::{Drawing, Keeping, Sign, sha256, state_words};
 pub(crate) use marks::Marks;
 pub(crate) use picture::Picture;
 pub(crate) use residue::Residue;
 pub(crate) use variants::{Fit, Variant, ways};
+pub(crate) use watched::{StateMark, TransitionMark, Watched, Way};
 
 /// All memos.
 pub(crate) struct Derived {
@@ -92,6 +96,10 @@ pub(crate) struct Derived {
     pub(crate) lit: Memo<BTreeSet<(StateId, Symbol)>>,
     /// States that may be one, best first.
     pub(crate) candidates: Memo<Vec<MergeCandidate>>,
+    /// How the work stands with the server.
+    pub(crate) keeping: Keeping,
+    /// What follows from what was heard of executors and runs.
+    pub(crate) watched: Watched,
 }
 
 impl Derived {
@@ -109,7 +117,10 @@ impl Derived {
             let specification = specification.get()?;
             Some(Arc::new(specification.pdfa.probabilities(specification.semantics)))
         });
-        let present = Memo::new(move |_| present(model, &*specification.get()?));
+        let watched = Watched::of(model, specification);
+        let monitoring = watched.monitoring;
+        let present =
+            Memo::new(move |_| if monitoring.get() { None } else { present(model, &*specification.get()?) });
         let planned = move |from: Option<StateId>, unavailable: BTreeSet<Symbol>, strategy: Strategy| {
             let (specification, probabilities) = (specification.get()?, probabilities.get()?);
             let request =
@@ -170,6 +181,8 @@ impl Derived {
             }),
             preferred,
             followed: Memo::new(move |_| match model.tab.get() {
+                // The plan of the robot is marked in a way of its own.
+                Tab::Run if monitoring.get() => None,
                 Tab::Run => plan_now.get().and_then(possible),
                 _ => preferred.get(),
             }),
@@ -187,6 +200,8 @@ impl Derived {
                 model.lit.with(|lit| lit.iter().flat_map(|word| ways(&specification.pdfa, word)).collect())
             }),
             candidates: Memo::new(move |_| candidates(model, specification.get())),
+            keeping: Keeping::of(model, specification),
+            watched,
         }
     }
 }

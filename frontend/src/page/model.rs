@@ -1,7 +1,9 @@
 //! Ground state: what nothing else could tell. Whatever follows from it is in [`super::derived`].
 
 mod editing;
+mod keeping;
 mod looking;
+mod watching;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -20,7 +22,13 @@ use super::theme::Theme;
 use crate::protocol::{DemonstrationId, FileContent, FileId, Outcome, Track};
 
 pub(crate) use editing::{Draft, Gesture, Menu, MenuContent, Selection};
+pub(crate) use keeping::{
+    Compared, KeepDialog, Keeping, Kept, Lineage, Loading, Onto, Queued, Server, Signing,
+};
 pub(crate) use looking::{Search, Side, Simulation, TextPane, Tidied};
+pub(crate) use watching::{
+    Connection, EventFilter, EventKind, EventLog, Heard, Replay, RunMode, SeenExecutor, Watching,
+};
 
 /// What a task is called until somebody names it; the command line's default is the same.
 pub(crate) const UNTITLED: &str = "Untitled task";
@@ -127,6 +135,8 @@ pub(crate) enum Overlay {
     Help,
     /// How long an edit takes.
     Benchmark,
+    /// Something about what the server keeps.
+    Keep(KeepDialog),
 }
 
 /// A sentence about what just happened.
@@ -246,6 +256,10 @@ pub(crate) struct Model {
     pub(crate) unkept: RwSignal<bool>,
     /// Names of earlier work that cannot be read.
     pub(crate) aside: RwSignal<Vec<String>>,
+    /// What the server keeps of it.
+    pub(crate) keeping: Keeping,
+    /// Executors and runs.
+    pub(crate) watching: Watching,
     /// The colors of the page.
     pub(crate) theme: RwSignal<Theme>,
 }
@@ -295,6 +309,8 @@ impl Model {
             can_bring_back: RwSignal::default(),
             unkept: RwSignal::default(),
             aside: RwSignal::default(),
+            keeping: Keeping::default(),
+            watching: Watching::new(),
             theme: RwSignal::new(Theme::stored()),
         }
     }

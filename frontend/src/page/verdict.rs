@@ -73,7 +73,7 @@ mod tests {
 
     fn file(id: u32, features: &[&str]) -> LoadedFile {
         let features = features.iter().map(|name| Feature::new(*name)).collect();
-        let content = FileContent { features, demonstrations: Vec::new() };
+        let content = FileContent { sha256: String::new(), features, demonstrations: Vec::new() };
         let reading = Reading::Read(Arc::new(content));
         LoadedFile { id: FileId(id), name: format!("{id}.csv"), bytes: 0.0, reading }
     }

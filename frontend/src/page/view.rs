@@ -9,6 +9,7 @@ pub(crate) mod files;
 pub(crate) mod filter;
 pub(crate) mod graph;
 pub(crate) mod inspector;
+pub(crate) mod keeping;
 pub(crate) mod menu;
 pub(crate) mod overlay;
 pub(crate) mod plot;

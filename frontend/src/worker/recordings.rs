@@ -58,6 +58,9 @@ impl Recordings {
             ToWorker::LayOut { specification, number } => {
                 answer(FromWorker::LaidOut { number, result: layouts(&specification) });
             }
+            ToWorker::Place { request, number } => {
+                answer(FromWorker::Placed { number, layout: Some(layout(&request)) });
+            }
             ToWorker::DrawSvg { specification } => answer(FromWorker::Svg(svg(&specification))),
         }
     }
@@ -66,6 +69,7 @@ impl Recordings {
         let demonstrations = import(name, bytes, Header::Detect).map_err(|error| error.to_string())?;
         let first = demonstrations.first().ok_or("there are no demonstrations in it")?;
         let content = FileContent {
+            sha256: first.sha256().to_owned(),
             features: first.features().to_vec(),
             demonstrations: demonstrations.iter().map(entry).collect(),
         };

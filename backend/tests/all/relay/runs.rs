@@ -46,7 +46,7 @@ async fn a_run_is_followed_from_its_plan_to_its_end() {
     let over = page.watch_run(|run| run.phase == Phase::Finished).await;
     assert_eq!((over.executor.as_str(), &over.specification), ("arm", &approved.specification));
     assert_eq!((over.trail.clone(), over.departure), (vec![green, red], None));
-    assert_eq!(over.log_likelihood, 0.5_f64.ln());
+    assert_eq!(over.log_likelihood.to_bits(), 0.5_f64.ln().to_bits());
     assert_eq!(over.states.len(), 3);
     assert_eq!(bench.relay.run("run-1").await.unwrap(), over);
     let events = bench.store.events("run-1", 0, 100).await.unwrap();

@@ -9,6 +9,7 @@ use goalgraph::pdfa::StateId;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use crate::page::model::{Lineage, Queued};
 use crate::protocol::Outcome;
 
 const FORMAT: &str = "goalgraph-work";
@@ -33,6 +34,12 @@ pub(super) struct Saved {
     pub(super) files: Vec<String>,
     /// What was learned last.
     pub(super) learned: Option<SavedLearning>,
+    /// What of the server it is.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) lineages: Vec<Lineage>,
+    /// What is still to be saved on the server.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) queued: Option<Queued>,
 }
 
 /// An outcome and what it was learned from.
@@ -78,6 +85,8 @@ impl Saved {
             task_name: String::new(),
             files: Vec::new(),
             learned: None,
+            lineages: Vec::new(),
+            queued: None,
         }
     }
 
@@ -105,8 +114,10 @@ mod tests {
     use goalgraph::history::Transaction;
     use goalgraph::infer::infer_words;
     use goalgraph::pdfa::Semantics;
+    use goalgraph::protocol::api::Save;
 
     use super::*;
+    use crate::page::model::{Kept, Onto};
 
     fn saved() -> (Saved, History) {
         let words = [vec!["a".to_owned(), "b".to_owned()]];
@@ -126,6 +137,32 @@ mod tests {
         let restored = restored.unwrap();
         assert_eq!(restored.specification(), history.specification());
         assert_eq!(restored.labels(), ["Rename"]);
+    }
+
+    #[test]
+    fn what_it_is_on_the_server_and_what_waits_come_back_as_well() {
+        let kept = Kept {
+            id: "a".to_owned(),
+            revision: 7,
+            etag: "\"r7-0\"".to_owned(),
+            sha256: "0".to_owned(),
+            approved: Some(6),
+        };
+        let save =
+            Save { content: "{}".to_owned(), author: None, message: "so far".to_owned(), positions: None };
+        let onto = Some(Onto { id: "a".to_owned(), etag: kept.etag.clone() });
+        let lineages = vec![Lineage { from: 0, kept, revisions: BTreeMap::from([(1, 7)]) }];
+        let queued = Some(Queued { onto, save, position: 1 });
+        let work = Saved { lineages: lineages.clone(), queued: queued.clone(), ..saved().0 };
+        let (read, _) = Saved::from_json(&work.to_json()).unwrap();
+        assert_eq!((read.lineages, read.queued), (lineages, queued));
+    }
+
+    #[test]
+    fn work_that_was_kept_before_there_was_a_server_is_read() {
+        let text = saved().0.to_json();
+        assert!(!text.contains("lineages") && !text.contains("queued"), "{text}");
+        assert_eq!(Saved::from_json(&text).unwrap().0.lineages, []);
     }
 
     #[test]

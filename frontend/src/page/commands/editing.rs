@@ -37,10 +37,10 @@ pub(super) const COMMANDS: &[Command] = &[
     Command {
         id: "mark-approved",
         label: "Mark as approved",
-        help: "Mark the present step of the history as approved; not while there are errors.",
+        help: "Mark the present step of the history as approved; not while there are errors. What is on a server is approved there.",
         keys: &[],
         in_menu: false,
-        enabled: |app| has_automaton(app) && !has_errors(app),
+        enabled: |app| has_automaton(app) && !has_errors(app) && !super::keeping::is_kept(app),
         run: |app| app.act(Action::MarkApproved),
     },
     Command {

@@ -54,7 +54,7 @@ pub(super) const COMMANDS: &[Command] = &[
         id: "export-json",
         label: "Export JSON",
         help: "Save the specification as a goalgraph.json file.",
-        keys: &["Ctrl+s"],
+        keys: &["j"],
         in_menu: false,
         enabled: has_automaton,
         run: |app| app.act(Action::Export(ExportFormat::Json)),

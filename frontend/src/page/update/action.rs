@@ -11,7 +11,9 @@ use goalgraph::plan::Strategy;
 use goalgraph::subset::SubsetRequest;
 use web_sys::File;
 
+use super::keeping::KeepAction;
 use super::select::Flow;
+use super::watch::WatchAction;
 use crate::page::model::{Menu, Notice, Overlay, Sample, Selection, Side, Tab, TextPane};
 use crate::protocol::{DemonstrationId, FileId};
 
@@ -129,12 +131,26 @@ pub(crate) enum Action {
     ToggleTable,
     /// Say that a sub-goal is available, or not.
     SetAvailable(Symbol, bool),
+    /// Do something with what the server keeps.
+    Keep(KeepAction),
     /// Lay something over the page, or take it away.
     Overlay(Option<Overlay>),
     /// Change between light and dark.
     ToggleTheme,
     /// Save the specification.
     Export(ExportFormat),
+    /// Watch executors and runs.
+    Watch(WatchAction),
     /// Say a sentence.
     Say(Notice),
+}
+
+impl Action {
+    /// Whether it changes the automaton, or is about to.
+    pub(super) fn is_edit(&self) -> bool {
+        matches!(
+            self,
+            Self::Begin(_) | Self::Apply | Self::Edit(..) | Self::Undo | Self::Redo | Self::Jump(_)
+        )
+    }
 }

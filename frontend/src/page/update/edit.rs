@@ -77,6 +77,7 @@ impl App {
         let folded = self.derived.preview.get_untracked().and_then(Result::ok).map(|it| it.folded.clone());
         let mut result = Ok(());
         self.model.draft.set(None);
+        self.forget_undone_lineages();
         self.model.history.update(|history| {
             if let Some(history) = history {
                 result = history.commit(transaction);

@@ -97,6 +97,7 @@ impl App {
         let model = self.model;
         model.learned.set(None);
         model.history.set(None);
+        self.forget_lineages();
         model.draft.set(None);
         model.vetoed.update(BTreeSet::clear);
         model.locked.update(BTreeSet::clear);
@@ -134,7 +135,9 @@ impl App {
         {
             self.show(DemonstrationId { file: *file, index: 0 });
         }
+        let outside = self.outside.get_value();
         match self.derived.basis.get_untracked() {
+            Some(basis) if outside.brought.take() => self.model.canceled.set(Some(basis)),
             None if self.is_unedited() => self.drop_learned(),
             None => {}
             Some(basis) if self.is_known(&basis) => {}

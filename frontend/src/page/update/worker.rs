@@ -11,6 +11,7 @@ use leptos::prelude::*;
 use super::App;
 use crate::page::model::{Basis, Inferring, Learned, Notice, Reading, Tab};
 use crate::page::text::count;
+use crate::page::update::{Action, KeepAction};
 use crate::page::verdict::Verdict;
 use crate::page::view::graph;
 use crate::page::worker_link::Report;
@@ -113,6 +114,9 @@ impl App {
             }
             FromWorker::LaidOut { number, result } => self.laid_out(number, result),
             FromWorker::Opened { file, result } => self.opened(file, result),
+            FromWorker::Placed { number, layout } => {
+                self.act(Action::Keep(KeepAction::Placed(number, layout.map(Arc::new))));
+            }
             FromWorker::Svg(Ok(text)) => drop(self.save("svg", "image/svg+xml", &text)),
             FromWorker::Svg(Err(reason)) => {
                 self.say(Notice::alarm(format!("The automaton cannot be drawn: {reason}")));

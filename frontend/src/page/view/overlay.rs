@@ -6,6 +6,7 @@ use wasm_bindgen::JsCast;
 use web_sys::{HtmlElement, KeyboardEvent};
 
 use super::benchmark::benchmark;
+use super::keeping;
 use crate::page::commands::{Command, GROUPS, commands};
 use crate::page::keys::shown;
 use crate::page::model::Overlay;
@@ -15,13 +16,19 @@ use crate::page::update::{Action, App};
 pub(crate) fn overlay(app: App) -> impl IntoView {
     move || match app.model.overlay.get() {
         None => None,
-        Some(Overlay::Palette) => Some(dialog(app, "Commands", palette(app).into_any()).into_any()),
-        Some(Overlay::Benchmark) => Some(dialog(app, "Benchmark", benchmark().into_any()).into_any()),
-        Some(Overlay::Help) => Some(dialog(app, "Help", help().into_any()).into_any()),
+        Some(Overlay::Palette) => Some(dialog(app, "Commands", "dialog", palette(app).into_any()).into_any()),
+        Some(Overlay::Benchmark) => {
+            Some(dialog(app, "Benchmark", "dialog", benchmark().into_any()).into_any())
+        }
+        Some(Overlay::Keep(asked)) => {
+            let (name, class, content) = keeping::content(app, asked);
+            Some(dialog(app, name, class, content).into_any())
+        }
+        Some(Overlay::Help) => Some(dialog(app, "Help", "dialog", help().into_any()).into_any()),
     }
 }
 
-fn dialog(app: App, name: &'static str, content: AnyView) -> impl IntoView {
+fn dialog(app: App, name: &'static str, class: &'static str, content: AnyView) -> impl IntoView {
     let node = NodeRef::<Dialog>::new();
     Effect::new(move |_| {
         if let Some(dialog) = node.get() {
@@ -33,7 +40,7 @@ fn dialog(app: App, name: &'static str, content: AnyView) -> impl IntoView {
     view! {
         <dialog
             node_ref=node
-            class="dialog"
+            class=class
             aria-label=name
             on:close=move |_| close()
             on:click=move |event| if event.target() == event.current_target() { close() }
@@ -164,7 +171,7 @@ fn help() -> impl IntoView {
 }
 
 /// Closes the dialog around the button that was pressed.
-fn close_dialog(event: &web_sys::MouseEvent) {
+pub(super) fn close_dialog(event: &web_sys::MouseEvent) {
     let button = event.target().and_then(|target| target.dyn_into::<HtmlElement>().ok());
     let dialog = button.and_then(|button| button.closest("dialog").ok().flatten());
     if let Some(dialog) = dialog {

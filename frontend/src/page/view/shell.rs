@@ -6,7 +6,7 @@ use wasm_bindgen::JsCast;
 use web_sys::{DragEvent, HtmlInputElement, KeyboardEvent};
 
 use super::chips::{button, icon_button};
-use super::{automaton, chips, demonstrations, menu, overlay, run, start, sub_goals};
+use super::{automaton, chips, demonstrations, keeping, menu, overlay, run, start, sub_goals};
 use crate::page::commands::FILE_INPUT;
 use crate::page::model::{Overlay, Tab};
 use crate::page::update::{Action, App};
@@ -20,6 +20,7 @@ pub(crate) fn shell(app: App) -> impl IntoView {
     view! {
         {bar(app)}
         <main class="panel">
+            {keeping::banner(app)}
             <div
                 id="panel"
                 class="panel-content"
@@ -70,6 +71,7 @@ fn bar(app: App) -> impl IntoView {
                     event_target::<HtmlInputElement>(&event).set_value(&name);
                 }
             />
+            {keeping::standing(app)}
             <div class="tabs" role="tablist" aria-label="Steps" on:keydown=move |event| step_tabs(app, &event)>
                 {Tab::ALL.map(|tab| tab_button(app, tab)).collect_view()}
             </div>

@@ -3,6 +3,7 @@
 use goalgraph::history::{History, Mark};
 use leptos::prelude::*;
 
+use crate::page::commands::is_kept;
 use crate::page::update::{Action, App};
 use crate::page::view::chips::button;
 
@@ -16,7 +17,7 @@ pub(super) fn history(app: App) -> impl IntoView {
         app.model.history.with(|history| history.as_ref().map(read))
     };
     view! {
-        <div class="row">{button(app, "undo")} {button(app, "redo")} {button(app, "mark-approved")}</div>
+        <div class="row">{button(app, "undo")} {button(app, "redo")} {move || if is_kept(app) { button(app, "revisions").into_any() } else { button(app, "mark-approved").into_any() }}</div>
         <ol class="steps-done" aria-label="Steps">{steps}</ol>
     }
 }
@@ -24,7 +25,13 @@ pub(super) fn history(app: App) -> impl IntoView {
 fn step(app: App, history: &History, position: usize, label: String) -> impl IntoView + use<> {
     let (present, undone) = (history.position() == position, position > history.position());
     let saved = history.marked(Mark::Saved) == Some(position);
-    let approved = history.marked(Mark::Approved) == Some(position);
+    let number = app.model.keeping.lineages.with(|all| {
+        let kept = all.iter().rev().find(|it| it.from <= position)?;
+        Some((*kept.revisions.get(&position)?, kept.kept.approved))
+    });
+    // What is on a server is approved there.
+    let marked = history.marked(Mark::Approved) == Some(position);
+    let approved = number.map_or(marked && !is_kept(app), |(number, approved)| approved == Some(number));
     view! {
         <li>
             <button
@@ -35,6 +42,7 @@ fn step(app: App, history: &History, position: usize, label: String) -> impl Int
                 on:click=move |_| app.act(Action::Jump(position))
             >
                 <span class="entry-name">{label}</span>
+                {number.map(|(number, _)| view! { <span class="tag">{format!("r{number}")}</span> })}
                 {saved.then(|| view! { <span class="tag">"saved"</span> })}
                 {approved.then(|| view! { <span class="tag">"approved"</span> })}
             </button>
