@@ -28,6 +28,8 @@ async function rename(page: Page, name: string): Promise<void> {
   await page.getByLabel("Task name").fill(name);
   await page.keyboard.press("Enter");
   await expect(page.getByLabel("Task name")).toHaveValue(name);
+  // Letters are commands again.
+  await page.getByLabel("Task name").blur();
 }
 
 /** Saves and waits until the server has it. */
@@ -76,6 +78,12 @@ async function conflict(page: Page, browser: Browser): Promise<{ mine: string; t
   return { mine, theirs };
 }
 
+/** Closes the open dialog. */
+async function close(page: Page): Promise<void> {
+  await page.keyboard.press("Escape");
+  await expect(page.getByRole("dialog")).toHaveCount(0);
+}
+
 async function approve(page: Page, revision: number): Promise<void> {
   const asked = dialog(page, "Approve");
   await asked.getByLabel("Your name").fill("Ada Approver");
@@ -114,7 +122,7 @@ test("a save says who did what, and every revision can be opened as a step that 
   await save(page, 1);
   await prune(page, "q0 g1 q3");
   await page.keyboard.press("Control+Shift+s");
-  await dialog(page, "Save with a message").getByLabel("Message").fill("red always first");
+  await dialog(page, "Save with a message").getByLabel("Message", { exact: true }).fill("red always first");
   await dialog(page, "Save with a message").getByLabel("Your name").fill("Ada");
   await page.keyboard.press("Enter");
   await expect(status(page)).toHaveText("Saved as revision 2.");
@@ -132,7 +140,7 @@ test("a save says who did what, and every revision can be opened as a step that 
   await expect(difference.getByText("No longer accepted: 1 word")).toBeVisible();
   await difference.getByRole("list", { name: "Changes" }).getByRole("button").first().click();
   await expect(difference.locator(".pointed")).toHaveCount(1);
-  await page.keyboard.press("Escape");
+  await close(page);
 
   await page.keyboard.press("b");
   await revisions.getByRole("button", { name: "Open revision 1" }).click();
@@ -182,7 +190,7 @@ test("a revision is approved once it was seen what differs from the approved one
   await page.keyboard.press("q");
   await expect(dialog(page, "Approve")).toContainText("Save your edits first");
   await expect(dialog(page, "Approve").getByRole("button", { name: "Approve r1" })).toBeDisabled();
-  await page.keyboard.press("Escape");
+  await close(page);
   await save(page, 2);
   await page.keyboard.press("q");
   const asked = dialog(page, "Approve");
@@ -224,6 +232,27 @@ test("a specification with an error cannot be approved, and the reason is said",
   const signature = { who: "Ada", meaning: "anyway", comment: "", sha256: head.sha256, instead_of: null };
   const refused = await request.post(`/api/v1/specifications/${id}/revisions/1/approval`, { data: signature });
   expect(refused.status(), "the server refuses it as well").toBe(422);
+});
+
+test("when somebody else approved meanwhile, nothing is signed, and it is said who", async ({ page, request }) => {
+  const name = fresh("Raced");
+  await learn(page, name);
+  await save(page, 1);
+  await prune(page, "q0 g1 q3");
+  await save(page, 2);
+  await page.keyboard.press("q");
+  const asked = dialog(page, "Approve");
+  await expect(asked.locator("[data-part]").first()).toBeVisible();
+  const { items } = await (await request.get("/api/v1/specifications")).json();
+  const { id } = items.find((it: { name: string }) => it.name === name);
+  const first = await (await request.get(`/api/v1/specifications/${id}/revisions/1`)).json();
+  const signature = { who: "Bo", meaning: "for the night shift", comment: "", sha256: first.revision.sha256, instead_of: null };
+  expect((await request.post(`/api/v1/specifications/${id}/revisions/1/approval`, { data: signature })).status()).toBe(201);
+  await asked.getByLabel("Your name").fill("Ada Approver");
+  await asked.getByRole("button", { name: "Approve r2" }).click();
+  await expect(asked.getByRole("alert")).toContainText("Bo approved r1");
+  await expect(asked, "what is shown next is what differs from theirs").toContainText("From r1 to r2");
+  await approve(page, 2);
 });
 
 test("a link opens a revision, as a step where there is unsaved work", async ({ page, browser, request }) => {
@@ -363,11 +392,11 @@ for (const colorScheme of ["light", "dark"] as const) {
     await page.keyboard.press("q");
     await expect(dialog(page, "Approve").locator("[data-part]").first()).toBeVisible();
     expect.soft(await findings(page), "an approval with differences").toEqual([]);
-    await page.keyboard.press("Escape");
+    await close(page);
     await page.keyboard.press("b");
     await expect(dialog(page, "Revisions").locator("[data-revision]")).toHaveCount(2);
     expect.soft(await findings(page), "revisions").toEqual([]);
-    await page.keyboard.press("Escape");
+    await close(page);
     await page.keyboard.press("Control+o");
     await expect(page.getByRole("list", { name: "Specifications" })).toBeVisible();
     expect.soft(await findings(page), "specifications").toEqual([]);

@@ -108,6 +108,14 @@ pub(crate) fn banner(app: App) -> impl IntoView {
     }
 }
 
+/// How many recordings are at the server by now.
+pub(crate) fn uploading(app: App) -> impl IntoView {
+    move || {
+        let (done, number) = app.model.keeping.uploading.get()?;
+        Some(view! { <p class="hint">{format!("Recordings to the server: {done} of {number}")}</p> })
+    }
+}
+
 /// The heading of a dialog, with a button that closes it.
 fn heading(text: impl IntoView) -> impl IntoView {
     view! {

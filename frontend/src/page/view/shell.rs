@@ -57,7 +57,7 @@ fn hatch() -> impl IntoView {
 fn bar(app: App) -> impl IntoView {
     view! {
         <header class="bar">
-            <h1 class="brand">{logo()} <span>"Goalgraph"</span></h1>
+            <h1 class="brand" aria-label="Goalgraph">{logo()} <span>"Goalgraph"</span></h1>
             <input
                 class="task-name"
                 aria-label="Task name"
@@ -170,6 +170,7 @@ fn status(app: App) -> impl IntoView {
                 <p class="outdated">"The automaton is from before your last change."</p>
                 {button(app, "infer")}
             })}
+            {keeping::uploading(app)}
             {move || work(app)}
         </footer>
     }

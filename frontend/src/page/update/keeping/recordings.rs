@@ -49,10 +49,13 @@ impl App {
         let number = missing.len();
         for (done, (sha256, file)) in missing.into_iter().enumerate() {
             self.keeping().uploading.set(Some((done, number)));
-            if !known.contains(&sha256) {
-                server::put_demonstration(&sha256, &file).await?;
-            }
-            server::link_demonstration(id, &sha256, &file.name()).await?;
+            let given = match known.contains(&sha256) {
+                true => Ok(()),
+                false => server::put_demonstration(&sha256, &file).await,
+            };
+            // A server that has a recording may hang up while it is sent once more: what counts is that it has it.
+            let linked = server::link_demonstration(id, &sha256, &file.name()).await;
+            linked.map_err(|failure| given.err().unwrap_or(failure))?;
         }
         Ok(())
     }

@@ -8,6 +8,7 @@ use goalgraph::layout::drawing::probability_text;
 use goalgraph::pdfa::Word;
 use goalgraph::specification::SubGoal;
 use leptos::prelude::*;
+use web_sys::{ScrollIntoViewOptions, ScrollLogicalPosition};
 
 use crate::page::derived::{Drawing, Sign, state_words};
 use crate::page::text::count;
@@ -48,7 +49,11 @@ fn row(app: App, sign: Sign, text: String, part: String) -> impl IntoView {
     let show = move |_| {
         app.act(Action::Keep(KeepAction::Point(Some(part.clone()))));
         if let Ok(Some(element)) = document().query_selector(&format!("[data-part=\"{part}\"]")) {
-            element.scroll_into_view();
+            // Only as far as needed: the dialog around the drawing stays where it is.
+            let options = ScrollIntoViewOptions::new();
+            options.set_block(ScrollLogicalPosition::Nearest);
+            options.set_inline(ScrollLogicalPosition::Nearest);
+            element.scroll_into_view_with_scroll_into_view_options(&options);
         }
     };
     view! {
