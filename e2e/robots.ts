@@ -17,6 +17,13 @@ export async function approve(request: APIRequestContext, content: string): Prom
   return approveRevision(request, id, head.number, head.sha256, null);
 }
 
+/** Approves the last revision of the specification that was saved last. */
+export async function approveLast(request: APIRequestContext): Promise<Approved> {
+  const { items } = await (await request.get("/api/v1/specifications?limit=1")).json();
+  const [{ id, head }] = items;
+  return approveRevision(request, id, head.number, head.sha256, null);
+}
+
 /** Saves another revision on top of the last one and approves it in the place of the one before. */
 export async function approveNext(request: APIRequestContext, before: Approved, content: string): Promise<Approved> {
   const address = `/api/v1/specifications/${before.id}`;

@@ -5,7 +5,7 @@ import AxeBuilder from "@axe-core/playwright";
 import { type Locator, type Page, expect, test } from "@playwright/test";
 import { drop, exported, openApp } from "./page";
 import { recording } from "./recordings";
-import { type Approved, Robot, Server, approve, approveNext, reportRun, serverPort } from "./robots";
+import { type Approved, Robot, Server, approve, approveLast, approveNext, reportRun, serverPort } from "./robots";
 
 // Things are a few millimeters from their places for the simulated robot, so it is slow: there is time to see it work.
 
@@ -170,6 +170,28 @@ test("a run of another revision than the one on display is not drawn on it", asy
   await monitor(page);
   await expect(card(page, started)).toContainText(`r${next.revision}`);
   await expect(card(page, started)).toContainText("on display");
+});
+
+test("a robot that holds another revision than the one on display says so, and both ways are open", async ({ page }) => {
+  await openApp(page);
+  await drop(page, recordings);
+  await page.getByLabel("Task name").fill(fresh("Kept"));
+  await page.keyboard.press("Control+s");
+  await expect(page.locator(".notice")).toHaveText("Saved as revision 1.");
+  const approved = await approveLast(page.request);
+  const started = robot(approved);
+  await monitor(page);
+  await expect(card(page, started)).toContainText("on display");
+
+  await page.getByLabel("Task name").fill(fresh("Kept"));
+  await page.keyboard.press("Control+s");
+  await expect(page.locator(".notice")).toHaveText("Saved as revision 2.");
+  await expect(card(page, started)).toContainText("you view r2");
+  await card(page, started).getByRole("button", { name: "Difference between r1 and r2" }).click();
+  await expect(page.getByRole("dialog", { name: "What differs" })).toBeVisible();
+  await page.keyboard.press("Escape");
+  await card(page, started).getByRole("button", { name: "Open r1" }).click();
+  await expect(card(page, started), "watching goes on").toContainText("on display");
 });
 
 test("a run that left the automaton is promoted to a demonstration, as one step", async ({ page, browser }) => {

@@ -104,12 +104,13 @@ fn replanned(app: App) -> AnyView {
     let text = run_text::replanned(specification, &replanned.unavailable, &replanned.word);
     let number = replanned.number;
     let go = move |_| app.act(Action::Watch(WatchAction::Replay(Some(number))));
-    let text = view! {
-        <p class="replanned-text" title=text.clone() data-replanned=number.to_string()>
+    let title = text.clone();
+    let line = view! {
+        <p class="replanned-text" title=title data-replanned=number.to_string()>
             <span class="turn" aria-hidden="true">"↻"</span>
             <span>{text}</span>
             <button type="button" class="link" on:click=go>{format!("event {number}")}</button>
         </p>
     };
-    text.into_any()
+    line.into_any()
 }
