@@ -34,7 +34,7 @@ use crate::api::{self, Api, ApiError};
 use metrics::Metrics;
 
 pub use assets::{Asset, Assets, embedded};
-pub use listener::{Listening, Tls};
+pub use listener::{BindError, Listening, Tls};
 
 const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
 /// For so long browsers ask by https only, once they did.

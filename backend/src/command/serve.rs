@@ -11,7 +11,7 @@ use clap::{Args, ValueEnum};
 use goalgraph_server::access::{Access, AccessSettings, end_revoked};
 use goalgraph_server::api::Api;
 use goalgraph_server::relay::{Relay, RelayLimits};
-use goalgraph_server::server::{Listening, PATIENCE, Tls, app, embedded};
+use goalgraph_server::server::{BindError, Listening, PATIENCE, Tls, app, embedded};
 use goalgraph_server::store::{Store, StoreOptions};
 use tokio::runtime::Runtime;
 use tracing_subscriber::EnvFilter;
@@ -103,7 +103,10 @@ async fn serve(arguments: &Arguments, addresses: &[SocketAddr]) -> Result<(), Fa
     let failure = |error: io::Error| Failure::input(listen_error(&arguments.listen, &error));
     let stop = stop_signal().map_err(failure)?;
     let tls = tls(arguments);
-    let listening = Listening::bind(addresses, tls.as_ref()).await.map_err(failure)?;
+    let listening = Listening::bind(addresses, tls.as_ref()).await.map_err(|error| match error {
+        BindError::Address(error) => failure(error),
+        BindError::Certificate(_) => Failure::input(error.to_string()),
+    })?;
     announce(listening.address().map_err(failure)?, tls.is_some());
     let access = Arc::new(Access::new(settings, store.clone()));
     tokio::spawn(end_revoked(store.clone(), relay.clone()));

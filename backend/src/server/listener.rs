@@ -32,6 +32,17 @@ pub struct Tls {
     pub key: PathBuf,
 }
 
+/// Why nothing can be listened to.
+#[derive(Debug, thiserror::Error)]
+pub enum BindError {
+    /// The address is taken, or not one of this computer.
+    #[error(transparent)]
+    Address(#[from] io::Error),
+    /// Certificate and key cannot be used: which, and why.
+    #[error("{0}; expected a certificate and its private key, both as PEM")]
+    Certificate(String),
+}
+
 /// A bound address whose connections are not taken yet.
 pub struct Listening {
     listener: std::net::TcpListener,
@@ -44,13 +55,20 @@ impl Listening {
     /// # Errors
     ///
     /// When none is free, or certificate and key cannot be used.
-    pub async fn bind(addresses: &[SocketAddr], tls: Option<&Tls>) -> io::Result<Self> {
+    pub async fn bind(addresses: &[SocketAddr], tls: Option<&Tls>) -> Result<Self, BindError> {
         let tls = match tls {
             None => None,
             Some(Tls { certificate, key }) => {
                 // An error says that it is installed already.
                 let _ = rustls::crypto::ring::default_provider().install_default();
-                Some(RustlsConfig::from_pem_file(certificate, key).await?)
+                let unusable = |error: io::Error| {
+                    BindError::Certificate(format!(
+                        "{} with {}: {error}",
+                        certificate.display(),
+                        key.display()
+                    ))
+                };
+                Some(RustlsConfig::from_pem_file(certificate, key).await.map_err(unusable)?)
             }
         };
         let listener = std::net::TcpListener::bind(addresses)?;

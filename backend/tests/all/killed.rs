@@ -1,10 +1,9 @@
 //! The program is killed in the middle of saves and events, fifty times: nothing acknowledged is lost, nothing
 //! half-written is seen.
 
-use std::io::{BufRead, BufReader};
 use std::net::SocketAddr;
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::Command;
 use std::sync::Mutex;
 use std::thread;
 use std::time::Duration;
@@ -21,45 +20,11 @@ use tokio_tungstenite::connect_async;
 use tokio_tungstenite::tungstenite::Message;
 use tokio_tungstenite::tungstenite::client::IntoClientRequest;
 
-use crate::http::{Answer, try_send};
+use crate::http::try_send;
+use crate::program::Program;
 
 const KILLS: u64 = 50;
 const RUN: &str = "the one run";
-
-/// The program on a free port; killed when it is dropped.
-struct Program {
-    child: Child,
-    address: SocketAddr,
-}
-
-impl Program {
-    fn start(data: &Path) -> Self {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_goalgraph"))
-            .args(["serve", "--listen", "127.0.0.1:0", "--data"])
-            .arg(data)
-            .env("GOALGRAPH_LOG", "error")
-            .stdout(Stdio::piped())
-            .spawn()
-            .unwrap();
-        let mut line = String::new();
-        BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
-        let address = line.strip_prefix("Goalgraph is at http://").unwrap().split('/').next().unwrap();
-        Self { address: address.parse().unwrap(), child }
-    }
-
-    fn send(&self, method: &str, path: &str, headers: &[(&str, &str)], body: &str) -> Option<Answer> {
-        let headers = [&[("content-type", "application/json")], headers].concat();
-        try_send(self.address, method, path, &headers, body.as_bytes())
-    }
-}
-
-impl Drop for Program {
-    fn drop(&mut self) {
-        // SIGKILL; when the program has ended already there is nothing to kill.
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
 
 /// What was answered, and so must be there ever after.
 #[derive(Default)]
@@ -93,7 +58,7 @@ fn what_was_acknowledged_is_there_after_the_program_was_killed() {
             scope.spawn(move || report_until_it_dies(address, known));
             // Spread over everything that happens in the first moments of saves, events and the two together.
             thread::sleep(Duration::from_micros(20_000 + kill * 7_919 % 97 * 1_000));
-            program.child.kill().unwrap();
+            program.kill();
         });
     }
     let program = Program::start(folder.path());

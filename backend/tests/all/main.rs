@@ -4,12 +4,14 @@
 
 mod api;
 mod check_and_export;
+mod encrypted;
 mod executor;
 mod executor_session;
 mod http;
 mod infer;
 mod killed;
 mod plan;
+mod program;
 mod relay;
 mod schema;
 mod serve;

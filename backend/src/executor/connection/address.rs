@@ -1,6 +1,7 @@
 //! Where the server is, and what its refusals mean.
 
 use std::fmt;
+use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -31,6 +32,14 @@ pub enum ConnectionError {
         /// The file.
         file: String,
         /// What is wrong.
+        why: String,
+    },
+    /// The server's certificate is not trusted.
+    #[error("{address}: the server's certificate is not trusted ({why}); name the file of its authority with --ca")]
+    Untrusted {
+        /// Where.
+        address: String,
+        /// What is wrong with the certificate.
         why: String,
     },
     /// The server wants a token, or another one.
@@ -136,6 +145,10 @@ impl Address {
             tungstenite::Error::Url(error) => {
                 Lost::ForGood(ConnectionError::OtherProtocol { address, why: error.to_string() })
             }
+            tungstenite::Error::Io(error) => match certificate_fault(&error) {
+                Some(why) => Lost::ForGood(ConnectionError::Untrusted { address, why }),
+                None => Lost::ForNow(format!("cannot connect to {address}: {error}")),
+            },
             error => Lost::ForNow(format!("cannot connect to {address}: {error}")),
         }
     }
@@ -154,6 +167,14 @@ impl Address {
 impl fmt::Display for Address {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.uri.fmt(formatter)
+    }
+}
+
+/// What is wrong with the server's certificate, if that is what failed.
+fn certificate_fault(error: &io::Error) -> Option<String> {
+    match error.get_ref()?.downcast_ref::<rustls::Error>()? {
+        rustls::Error::InvalidCertificate(why) => Some(why.to_string()),
+        _ => None,
     }
 }
 
