@@ -42,6 +42,14 @@ async function learnAndApprove(page: Page): Promise<Approved> {
   return approve(page.request, await exported(page));
 }
 
+/** Names the task and saves that. */
+async function saveAs(page: Page, name: string, revision: number): Promise<void> {
+  await page.getByLabel("Task name").fill(name);
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("Control+s");
+  await expect(page.locator(".notice")).toHaveText(`Saved as revision ${revision}.`);
+}
+
 function robot(approved: Approved, ...args: string[]): Robot {
   const started = Robot.start(fresh("robot"), approved, args);
   robots.push(started);
@@ -175,17 +183,14 @@ test("a run of another revision than the one on display is not drawn on it", asy
 test("a robot that holds another revision than the one on display says so, and both ways are open", async ({ page }) => {
   await openApp(page);
   await drop(page, recordings);
-  await page.getByLabel("Task name").fill(fresh("Kept"));
-  await page.keyboard.press("Control+s");
-  await expect(page.locator(".notice")).toHaveText("Saved as revision 1.");
+  await expect(page.locator('[data-state="q0"]')).toBeVisible();
+  await saveAs(page, fresh("Kept"), 1);
   const approved = await approveLast(page.request);
   const started = robot(approved);
   await monitor(page);
   await expect(card(page, started)).toContainText("on display");
 
-  await page.getByLabel("Task name").fill(fresh("Kept"));
-  await page.keyboard.press("Control+s");
-  await expect(page.locator(".notice")).toHaveText("Saved as revision 2.");
+  await saveAs(page, fresh("Kept"), 2);
   await expect(card(page, started)).toContainText("you view r2");
   await card(page, started).getByRole("button", { name: "Difference between r1 and r2" }).click();
   await expect(page.getByRole("dialog", { name: "What differs" })).toBeVisible();
