@@ -1,4 +1,5 @@
-import { resolve } from "node:path";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
 import { defineConfig } from "@playwright/test";
 
 // `cargo xtask test` sets these; the defaults are for `npm test` after `cargo xtask setup`.
@@ -7,6 +8,8 @@ const chromium = process.env.GOALGRAPH_CHROMIUM ?? "/usr/bin/chromium";
 const port = process.env.GOALGRAPH_PORT ?? "17700";
 
 const baseURL = `http://127.0.0.1:${port}`;
+// The server of one run keeps what it is given in a folder of its own; workers read this file again, and do not use it.
+const data = join(tmpdir(), `goalgraph-e2e-data-${port}-${process.pid}`);
 const isRoot = process.getuid?.() === 0;
 
 export default defineConfig({
@@ -16,7 +19,7 @@ export default defineConfig({
   workers: 1,
   retries: 0,
   timeout: 60_000,
-  globalTimeout: 10 * 60_000,
+  globalTimeout: 20 * 60_000,
   expect: { timeout: 15_000 },
   reporter: [["list"]],
   use: {
@@ -40,7 +43,7 @@ export default defineConfig({
     },
   },
   webServer: {
-    command: `"${server}" serve --listen 127.0.0.1:${port}`,
+    command: `"${server}" serve --listen 127.0.0.1:${port} --data "${data}"`,
     url: baseURL,
     reuseExistingServer: false,
     timeout: 30_000,

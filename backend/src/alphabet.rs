@@ -8,7 +8,7 @@ use goalgraph::specification::{Specification, SubGoal};
 /// # Errors
 ///
 /// One sentence with the alphabet when no sub-goal is meant, or several may be.
-pub(crate) fn find(specification: &Specification, text: &str) -> Result<Symbol, String> {
+pub fn find(specification: &Specification, text: &str) -> Result<Symbol, String> {
     let sub_goals = &specification.sub_goals;
     if let Some(sub_goal) = sub_goals.iter().find(|sub_goal| sub_goal.id.to_string() == text) {
         return Ok(sub_goal.id);

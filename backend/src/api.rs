@@ -77,6 +77,7 @@ fn documented() -> (Router<Api>, OpenApi) {
         .nest("/api/v1", resources().layer(DefaultBodyLimit::max(limits::JSON_BYTES)).merge(files))
         .split_for_parts();
     document::add_problems(&mut document);
+    document::add_examples(&mut document);
     (router, document)
 }
 

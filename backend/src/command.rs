@@ -2,6 +2,7 @@
 
 pub(crate) mod backup;
 pub(crate) mod check;
+pub(crate) mod executor;
 pub(crate) mod export;
 pub(crate) mod infer;
 pub(crate) mod plan;

@@ -3,7 +3,7 @@
 use sha2::{Digest, Sha256};
 
 /// The digest as 64 lower-case hexadecimal digits.
-pub(crate) fn hex(digest: &[u8]) -> String {
+pub fn hex(digest: &[u8]) -> String {
     digest.iter().fold(String::with_capacity(2 * digest.len()), |mut text, byte| {
         for digit in [byte >> 4, byte & 15] {
             text.push(char::from_digit(u32::from(digit), 16).unwrap_or('0'));
@@ -13,7 +13,7 @@ pub(crate) fn hex(digest: &[u8]) -> String {
 }
 
 /// SHA-256 of `bytes`, as 64 lower-case hexadecimal digits.
-pub(crate) fn sha256_hex(bytes: &[u8]) -> String {
+pub fn sha256_hex(bytes: &[u8]) -> String {
     hex(&Sha256::digest(bytes))
 }
 

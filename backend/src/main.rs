@@ -4,11 +4,10 @@
 //! standard output, everything said about them to standard error. Nothing is written when anything is wrong.
 //!
 //! Modules in reading order: [`command`] has one module per command; [`input`] reads files, [`output`] writes them;
-//! [`alphabet`] finds sub-goals by what people call them; [`progress`] tells what takes long; [`failure`] is how a command fails.
+//! [`progress`] tells what takes long; [`failure`] is how a command fails.
 
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
-mod alphabet;
 mod command;
 mod failure;
 mod input;
@@ -19,7 +18,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use command::{backup, check, export, infer, plan, schema, serve, token, verify};
+use command::{backup, check, executor, export, infer, plan, schema, serve, token, verify};
 
 /// Recorded demonstrations in, a probabilistic automaton of the task out.
 #[derive(Parser)]
@@ -39,8 +38,10 @@ enum Command {
     Check(check::Arguments),
     /// Writes a specification in the format of another tool
     Export(export::Arguments),
-    /// Prints the JSON Schema of the specification file
-    Schema,
+    /// Simulates a robot that follows the approved specification of a server
+    Executor(executor::Arguments),
+    /// Prints the JSON Schema of a format
+    Schema(schema::Arguments),
     /// Serves the app to browsers on this computer
     Serve(serve::Arguments),
     /// Makes, lists and revokes the tokens that other computers need
@@ -57,7 +58,8 @@ fn main() -> ExitCode {
         Command::Plan(arguments) => plan::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Export(arguments) => export::run(&arguments),
-        Command::Schema => schema::run(),
+        Command::Executor(arguments) => executor::run(&arguments),
+        Command::Schema(arguments) => schema::run(&arguments),
         Command::Serve(arguments) => serve::run(&arguments),
         Command::Token(arguments) => token::run(&arguments),
         Command::Backup(arguments) => backup::run(&arguments),

@@ -2,8 +2,8 @@
 //!
 //! Reading order: [`limits`], [`lease`], [`relayed_run`], [`archive`] (runs made of what the store has), [`offer`] (what
 //! is approved, to all who follow it); [`hub`] with [`runs`] and [`inbox`] (the present state, behind one lock);
-//! [`writer`], [`begin`], [`events`] (the one task that writes); [`upgrade`], [`connection`], [`incoming`],
-//! [`monitoring`] (one task for each connection), [`outgoing`], [`lines`] (how they end).
+//! [`writer`], [`begin`], [`events`] (the one task that writes); [`upgrade`], [`greeting`], [`connection`],
+//! [`incoming`], [`monitoring`] (one task for each connection), [`outgoing`], [`lines`] (how they end).
 //!
 //! What holds for all of it:
 //!
@@ -18,6 +18,7 @@ mod connection;
 mod counts;
 mod error;
 mod events;
+mod greeting;
 mod hub;
 mod inbox;
 mod incoming;

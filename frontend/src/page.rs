@@ -3,6 +3,7 @@
 mod author;
 mod autosave;
 mod benchmark;
+mod clock;
 mod colors;
 mod commands;
 mod derived;
@@ -12,6 +13,8 @@ mod geometry;
 mod keys;
 mod links;
 mod model;
+mod monitor;
+mod run_text;
 mod samples;
 mod server;
 mod text;

@@ -22,6 +22,7 @@ pub mod distance;
 pub mod dwell;
 pub mod edit;
 pub mod evidence;
+pub mod execution;
 pub mod export;
 pub mod fix;
 pub mod history;

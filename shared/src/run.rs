@@ -259,16 +259,13 @@ impl Run {
             return;
         };
         let probability = probabilities.transition(state, sub_goal);
-        match pdfa.transition(state, sub_goal).filter(|_| probability > 0.0) {
-            Some(way) => {
-                self.log_likelihood += probability.ln();
-                self.state = Some(way.target);
-                self.states.push(way.target);
-            }
-            None => {
-                self.departure.get_or_insert(Departure::NoWay { number: self.events, state, sub_goal });
-                self.state = None;
-            }
+        if let Some(way) = pdfa.transition(state, sub_goal).filter(|_| probability > 0.0) {
+            self.log_likelihood += probability.ln();
+            self.state = Some(way.target);
+            self.states.push(way.target);
+        } else {
+            self.departure.get_or_insert(Departure::NoWay { number: self.events, state, sub_goal });
+            self.state = None;
         }
     }
 

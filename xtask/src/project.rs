@@ -48,6 +48,11 @@ impl Project {
     pub(crate) fn e2e(&self) -> PathBuf {
         self.root.join("e2e")
     }
+
+    /// The folder of the Python executor.
+    pub(crate) fn python_executor(&self) -> PathBuf {
+        self.root.join("executors/python")
+    }
 }
 
 fn user_cache() -> Result<PathBuf> {

@@ -8,7 +8,8 @@ mod browser_tests;
 mod cargo_tools;
 mod chromium;
 mod debian;
-mod postgres;
+pub(crate) mod postgres;
+mod python;
 mod wasm_target;
 
 use std::env;
@@ -39,6 +40,8 @@ pub(crate) struct TestTools {
     pub(crate) chromium: PathBuf,
     /// The folder of PostgreSQL's programs.
     pub(crate) postgres: PathBuf,
+    /// The folder of the Python environment's programs.
+    pub(crate) python: PathBuf,
 }
 
 /// Installs what building the app and the server needs.
@@ -72,10 +75,11 @@ pub(crate) fn for_test(project: &Project) -> Result<TestTools> {
     let build = for_build(project)?;
     let chromium = chromium::ensure()?;
     let postgres = postgres::ensure()?;
+    let python = python::ensure(project)?;
     browser_tests::ensure(project)?;
     say(&format!("set-up: the browser is {}", chromium.display()));
     say(&format!("set-up: PostgreSQL is in {}", postgres.display()));
-    Ok(TestTools { build, chromium, postgres })
+    Ok(TestTools { build, chromium, postgres, python })
 }
 
 impl Tools {

@@ -2,6 +2,7 @@
 //!
 //! The order is: what fails fastest first, and what is compiled for one check is there for the next.
 
+mod api;
 mod postgres;
 mod report;
 mod tally;
@@ -30,7 +31,7 @@ struct Check {
     needs: &'static [&'static str],
 }
 
-const CHECKS: [Check; 9] = [
+const CHECKS: [Check; 11] = [
     Check { name: "format", run: format, needs: &[] },
     Check { name: "clippy", run: clippy, needs: &[] },
     Check { name: "clippy, app", run: clippy_app, needs: &[] },
@@ -43,6 +44,8 @@ const CHECKS: [Check; 9] = [
         run: |project, _, _| app::build_server(project, Profile::Debug),
         needs: &["app"],
     },
+    Check { name: "Python executor", run: python_executor, needs: &["server"] },
+    Check { name: "API", run: requests_to_the_api, needs: &["server"] },
     Check { name: "browser tests", run: browser_tests, needs: &["server"] },
 ];
 
@@ -133,6 +136,22 @@ fn rust_examples(project: &Project, _: &TestTools, tally: &mut Tally) -> Result<
     run_watched(cargo(&project.root).args(["test", "--doc", "--locked"]).args(NATIVE_CRATES), |line| {
         tally.read(line);
     })
+}
+
+/// Its types, then its tests, which start the server.
+fn python_executor(project: &Project, tools: &TestTools, tally: &mut Tally) -> Result<()> {
+    let python = |module: &str| {
+        let mut command = Command::new(tools.python.join("python"));
+        command.current_dir(project.python_executor()).args(["-m", module]);
+        command.env("GOALGRAPH_BIN", app::server(project, Profile::Debug));
+        command
+    };
+    run(&mut python("mypy"))?;
+    run_watched(&mut python("pytest"), |line| tally.read(line))
+}
+
+fn requests_to_the_api(project: &Project, tools: &TestTools, _: &mut Tally) -> Result<()> {
+    api::check(project, &app::server(project, Profile::Debug), &tools.python)
 }
 
 fn browser_tests(project: &Project, tools: &TestTools, tally: &mut Tally) -> Result<()> {

@@ -42,16 +42,17 @@ async fn measure() -> Result<()> {
 
     let mut relayed = relayed::Relayed::begin(executors).await?;
     let mut bare = bare::Bare::begin(executors).await?;
-    let (mut relay_times, mut bare_times, mut ratios) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut relay_times, mut reading_times, mut bare_times, mut ratios) = (vec![], vec![], vec![], vec![]);
     let mut bytes = 0;
     for round in 0..=rounds {
-        let (message, relay_time) = relayed.approve().await?;
+        let (message, times) = relayed.approve().await?;
         bytes = message.len();
         let bare_time = bare.send(&message).await?;
         // The first round warms up.
         if round > 0 {
-            ratios.push(relay_time.as_secs_f64() / bare_time.as_secs_f64());
-            relay_times.push(relay_time);
+            ratios.push(times.all.as_secs_f64() / bare_time.as_secs_f64());
+            relay_times.push(times.all);
+            reading_times.push(times.reading);
             bare_times.push(bare_time);
         }
     }
@@ -60,6 +61,7 @@ async fn measure() -> Result<()> {
         "{executors} executors, a message of {bytes} bytes, {rounds} rounds, {profile} profile; medians:"
     );
     println!("approval to the last executor, through the relay: {:.1} ms", milliseconds(&mut relay_times));
+    println!("  of it until the message was read and written:   {:.1} ms", milliseconds(&mut reading_times));
     println!("the same bytes through a bare loop:               {:.1} ms", milliseconds(&mut bare_times));
     ratios.sort_by(f64::total_cmp);
     let (low, high) = (ratios[0], ratios[ratios.len() - 1]);

@@ -31,6 +31,14 @@ pub(crate) struct Relayed {
     _folder: TempDir,
 }
 
+/// How long an approval took.
+pub(crate) struct Times {
+    /// Until the message was there to be sent.
+    pub(crate) reading: Duration,
+    /// Until the last executor had it.
+    pub(crate) all: Duration,
+}
+
 impl Relayed {
     /// Connects this many executors.
     pub(crate) async fn begin(executors: usize) -> Result<Self> {
@@ -38,7 +46,7 @@ impl Relayed {
         let store = Store::open(&Location::folder(folder.path()), StoreOptions::default()).await?;
         let specification = store.create(revision(0)).await?.id;
         // Nobody says anything in a round, however long it takes.
-        let lease = Duration::from_secs(3600);
+        let lease = Duration::from_hours(1);
         let limits = RelayLimits { lease, executors, ..RelayLimits::default() };
         let relay = Relay::open(store.clone(), limits).await?;
         let listener = TcpListener::bind("127.0.0.1:0").await?;
@@ -49,8 +57,8 @@ impl Relayed {
         Ok(Self { store, relay, clients, specification, revision: 1, _folder: folder })
     }
 
-    /// Approves another revision; returns the message that carries it, and how long it took until the last had it.
-    pub(crate) async fn approve(&mut self) -> Result<(Utf8Bytes, Duration)> {
+    /// Approves another revision; returns the message that carries it, and how long it took.
+    pub(crate) async fn approve(&mut self) -> Result<(Utf8Bytes, Times)> {
         let before = self.revision;
         let row = self.store.save(&self.specification, before, revision(before)).await?;
         let approval = NewApproval {
@@ -59,19 +67,21 @@ impl Relayed {
             expected_approved: (before > 1).then_some(before),
             signature: signature(),
         };
-        self.store.approve(&self.specification, approval).await?;
+        let approval = self.store.approve(&self.specification, approval).await?.sequence;
         self.revision = row.number;
         self.clients.expect();
         let began = Instant::now();
         self.relay.approval_changed(&self.specification).await;
-        let time = self.clients.all_since(began).await?;
+        let reading = began.elapsed();
+        let all = self.clients.all_since(began).await?;
         let message = ToExecutor::Specification {
             specification: self.specification.clone(),
             revision: row.number,
+            approval,
             sha256: row.sha256,
             content: self.store.content(&self.specification, row.number).await?,
         };
-        Ok((serde_json::to_string(&message)?.into(), time))
+        Ok((serde_json::to_string(&message)?.into(), Times { reading, all }))
     }
 }
 

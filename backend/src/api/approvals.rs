@@ -43,7 +43,7 @@ async fn approve_revision(
         revision: number,
         sha256_seen: signature.sha256.clone(),
         expected_approved: signature.instead_of,
-        signature: signed(&caller, signature)?,
+        signature: signed(&caller, &signature)?,
     };
     let row = api.store.approve(&id, new).await?;
     tracing::info!(specification = id, revision = number, who = row.who, "approved");
@@ -61,7 +61,7 @@ async fn revoke_revision(
     PathParts((id, number)): PathParts<(String, u64)>,
     Body(signature): Body<Signature>,
 ) -> ApiResult<(StatusCode, Json<Approval>)> {
-    let row = api.store.revoke(&id, number, signed(&caller, signature)?).await?;
+    let row = api.store.revoke(&id, number, signed(&caller, &signature)?).await?;
     tracing::info!(specification = id, revision = number, who = row.who, "revoked");
     api.relay.approval_changed(&id).await;
     Ok((StatusCode::CREATED, Json(entries::approval(&row))))
@@ -115,7 +115,7 @@ fn refuse_faulty(content: &str) -> ApiResult<()> {
     if findings.is_empty() { Ok(()) } else { Err(ApiError::faulty(findings)) }
 }
 
-fn signed(caller: &Caller, signature: Signature) -> ApiResult<store::Signature> {
+fn signed(caller: &Caller, signature: &Signature) -> ApiResult<store::Signature> {
     let who = caller.signs_as(signature.who.as_deref()).unwrap_or_default();
     let who = line("who", who, limits::NAME)?;
     let meaning = line("meaning", &signature.meaning, limits::NAME)?;

@@ -1,15 +1,19 @@
 //! What the OpenAPI document says beside what the handlers say.
 
-use goalgraph::protocol::api::Problem;
+use goalgraph::infer::infer_words;
+use goalgraph::pdfa::Semantics;
+use goalgraph::protocol::api::{Problem, Save, Signature};
+use serde_json::json;
 use utoipa::openapi::path::Operation;
 use utoipa::openapi::security::{ApiKey, ApiKeyValue, Http, HttpAuthScheme, SecurityScheme};
 use utoipa::openapi::{
-    ComponentsBuilder, ContentBuilder, InfoBuilder, OpenApi, OpenApiBuilder, PathItem, Ref, ResponseBuilder,
-    SecurityRequirement,
+    ComponentsBuilder, ContentBuilder, InfoBuilder, OpenApi, OpenApiBuilder, PathItem, Ref, RefOr,
+    ResponseBuilder, Schema, SecurityRequirement,
 };
 use utoipa::{PartialSchema, ToSchema};
 
 use crate::access::SESSION_COOKIE;
+use crate::digest::sha256_hex;
 
 const ABOUT: &str = "\
 Specifications, their revisions and approvals, executors and their runs.
@@ -48,6 +52,21 @@ pub(super) fn add_problems(document: &mut OpenApi) {
                 .content("application/problem+json", content)
                 .build();
             operation.responses.responses.insert("default".to_owned(), response.into());
+        }
+    }
+}
+
+/// Shows what a save and a signature look like; both work as they are, one after the other.
+pub(super) fn add_examples(document: &mut OpenApi) {
+    let words = ["red", "green"].map(|sub_goal| vec![sub_goal.to_owned()]);
+    let content = infer_words("Two blocks", Semantics::MaximumLikelihood, &words).to_json();
+    let sha256 = sha256_hex(content.as_bytes());
+    let save = json!({ "content": content, "author": "Ada", "message": "as it was learned" });
+    let signature = json!({ "who": "Ada", "meaning": "for the robot", "comment": "", "sha256": sha256, "instead_of": null });
+    let Some(components) = &mut document.components else { return };
+    for (name, example) in [(Save::name(), save), (Signature::name(), signature)] {
+        if let Some(RefOr::T(Schema::Object(schema))) = components.schemas.get_mut(name.as_ref()) {
+            schema.examples = vec![example];
         }
     }
 }

@@ -76,11 +76,11 @@ async fn list_events(
     let rows = api.store.events(&run, query.after.unwrap_or(0), limit).await?;
     let is_full = rows.len() >= limit as usize;
     let next = rows.last().filter(|_| is_full).map(|last| last.number.to_string());
-    let items = rows.into_iter().map(stored).collect::<ApiResult<_>>()?;
+    let items = rows.iter().map(stored).collect::<ApiResult<_>>()?;
     Ok(Json(Page { items, next }))
 }
 
-fn stored(row: EventRow) -> ApiResult<StoredEvent> {
+fn stored(row: &EventRow) -> ApiResult<StoredEvent> {
     let happened = serde_json::from_str(&row.event).map_err(|error| ApiError::broken(&error))?;
     Ok(StoredEvent {
         number: row.number,

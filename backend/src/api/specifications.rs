@@ -114,6 +114,9 @@ async fn known_head(api: &Api, id: &str, known: &IfMatch) -> ApiResult<u64> {
 fn new_revision(caller: &Caller, save: Save) -> ApiResult<NewRevision> {
     let specification = Specification::from_json(&save.content)
         .map_err(|error| ApiError::invalid(format!("content: {error}")))?;
+    if save.positions.as_ref().is_some_and(|positions| !positions.is_object()) {
+        return Err(ApiError::invalid("positions: expected an object, or null"));
+    }
     let author = caller.signs_as(save.author.as_deref()).unwrap_or("somebody").to_owned();
     Ok(NewRevision {
         content: specification.to_json(),

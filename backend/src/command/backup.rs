@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use goalgraph_server::store::StoreOptions;
+use goalgraph_server::store::{Store, StoreOptions};
 
 use super::store_arguments::StoreArguments;
 use crate::failure::Failure;
 use crate::output::{self, count};
+use crate::progress::Progress;
 
 /// Arguments of `goalgraph backup`.
 #[derive(Args)]
@@ -26,7 +27,9 @@ pub(crate) struct Arguments {
 /// When there is nothing to copy, or the folder is there already or cannot be written.
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let options = StoreOptions { create: false, ..StoreOptions::default() };
-    let copy = |store: goalgraph_server::store::Store| async move { store.backup(&arguments.output).await };
+    let progress = Progress::start();
+    progress.stage(format!("Copying into {}", arguments.output.display()));
+    let copy = |store: Store| async move { store.backup(&arguments.output).await };
     let report = arguments.store.with_store(options, copy)?;
     let files = count(usize::try_from(report.demonstrations).unwrap_or(usize::MAX), "demonstration file");
     let rows = count(usize::try_from(report.rows).unwrap_or(usize::MAX), "row");

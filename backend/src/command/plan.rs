@@ -7,10 +7,11 @@ use clap::{Args, ValueEnum};
 use goalgraph::pdfa::{StateId, Symbol};
 use goalgraph::plan::{NoPlan, Plan, PlanRequest, Strategy, plan};
 use goalgraph::specification::Specification;
+use goalgraph_server::alphabet;
 use serde::Serialize;
 
 use crate::failure::Failure;
-use crate::{alphabet, input, output};
+use crate::{input, output};
 
 /// Arguments of `goalgraph plan`.
 #[derive(Args)]

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use axum_server::Handle;
 use clap::{Args, ValueEnum};
-use goalgraph_server::access::{Access, AccessSettings};
+use goalgraph_server::access::{Access, AccessSettings, end_revoked};
 use goalgraph_server::api::Api;
 use goalgraph_server::relay::{Relay, RelayLimits};
 use goalgraph_server::server::{Listening, PATIENCE, Tls, app, embedded};
@@ -40,7 +40,7 @@ pub(crate) struct Arguments {
     /// A page of another server that may ask, such as the address of a proxy; repeatable
     #[arg(long, value_name = "https://HOST")]
     origin: Vec<String>,
-    /// How the log on standard error is written; GOALGRAPH_LOG says how much (error, warn, info, debug)
+    /// How the log on standard error is written; the variable `GOALGRAPH_LOG` says how much (error, warn, info, debug)
     #[arg(long, value_enum, default_value_t)]
     log: LogFormat,
 }
@@ -95,6 +95,7 @@ async fn serve(arguments: &Arguments, addresses: &[SocketAddr]) -> Result<(), Fa
     let store = Store::open(&location, StoreOptions::default())
         .await
         .map_err(|error| Failure::input(format!("{location}: {error}")))?;
+    store.remove_abandoned_uploads().await.map_err(|error| Failure::input(error.to_string()))?;
     let settings = access(arguments, addresses, &store).await?;
     let relay = Relay::open(store.clone(), RelayLimits::default())
         .await
@@ -105,6 +106,7 @@ async fn serve(arguments: &Arguments, addresses: &[SocketAddr]) -> Result<(), Fa
     let listening = Listening::bind(addresses, tls.as_ref()).await.map_err(failure)?;
     announce(listening.address().map_err(failure)?, tls.is_some());
     let access = Arc::new(Access::new(settings, store.clone()));
+    tokio::spawn(end_revoked(store.clone(), relay.clone()));
     let api = Api { store: store.clone(), relay: relay.clone(), access };
     let handle = Handle::new();
     tokio::spawn(stop_gracefully(stop, relay, handle.clone()));

@@ -6,6 +6,7 @@ use goalgraph_server::store::{Store, StoreOptions, VerifyReport};
 use super::store_arguments::StoreArguments;
 use crate::failure::Failure;
 use crate::output::{self, count, list};
+use crate::progress::Progress;
 
 /// Arguments of `goalgraph verify`.
 #[derive(Args)]
@@ -21,6 +22,8 @@ pub(crate) struct Arguments {
 /// One line for each thing that is wrong; or when there is nothing to check.
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let options = StoreOptions { create: false, ..StoreOptions::default() };
+    let progress = Progress::start();
+    progress.stage("Hashing every revision and every demonstration file");
     let report = arguments.store.with_store(options, |store: Store| async move { store.verify().await })?;
     output::print(&format!("checked {}\n", checked(&report)))?;
     if report.faults.is_empty() { Ok(()) } else { Err(Failure::Input(report.faults)) }

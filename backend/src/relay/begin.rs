@@ -24,6 +24,8 @@ pub(super) async fn begin(relay: &Arc<Inner>, asked: &Begin) -> ToExecutor {
     let result = match is_known(relay, &asked.run).await {
         Ok(true) => go_on(relay, asked).await,
         Ok(false) => start(relay, asked).await,
+        // There is such a run, but its specification was deleted.
+        Err(RelayError::Store(StoreError::NotFound { .. })) => Ok(denied(&asked.run, Denial::Stale)),
         Err(error) => Err(error),
     };
     result.unwrap_or_else(|error| {

@@ -52,6 +52,7 @@ impl Offer {
         let message = ToExecutor::Specification {
             specification: row.specification.clone(),
             revision: row.revision,
+            approval: row.sequence,
             sha256: row.sha256.clone(),
             content,
         };

@@ -104,13 +104,12 @@ async fn read(
     automata: &mut BTreeMap<(String, u64), Arc<Automaton>>,
 ) -> Result<super::relayed_run::RelayedRun, RelayError> {
     let revision = (row.specification.clone(), row.revision);
-    let automaton = match automata.get(&revision) {
-        Some(automaton) => automaton.clone(),
-        None => {
-            let (_, automaton) = archive::revision(store, &row.specification, row.revision).await?;
-            automata.insert(revision, automaton.clone());
-            automaton
-        }
+    let automaton = if let Some(automaton) = automata.get(&revision) {
+        automaton.clone()
+    } else {
+        let (_, automaton) = archive::revision(store, &row.specification, row.revision).await?;
+        automata.insert(revision, automaton.clone());
+        automaton
     };
     archive::follow(store, row, automaton).await
 }

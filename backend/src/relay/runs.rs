@@ -62,15 +62,25 @@ impl Hub {
         Ok(())
     }
 
-    /// The executor is no longer in the run.
+    /// The executor is no longer in the run, but in the newest other one that it holds.
     fn leave(&mut self, executor: &str, run: &str) {
+        let other = self.newest_held(executor, run);
         if let Some(known) = self.executors.get_mut(executor)
             && known.run.as_deref() == Some(run)
         {
-            known.run = None;
+            known.run = other;
             self.mark_executor(executor);
             self.forget_idle(executor);
         }
+    }
+
+    fn newest_held(&self, executor: &str, except: &str) -> Option<String> {
+        let link = self.executors.get(executor)?.link.as_ref()?.number;
+        let held = self.runs.values().filter(|run| {
+            let is_held = run.lease.as_ref().is_some_and(|lease| lease.link == link);
+            is_held && !run.run.phase.is_over() && run.origin.run != except
+        });
+        held.max_by_key(|run| run.sequence).map(|run| run.origin.run.clone())
     }
 
     /// Forgets runs beyond `idle` that are not over and that nobody works on, and beyond `finished` that are over: the
@@ -78,7 +88,7 @@ impl Hub {
     pub(super) fn forget_runs(&mut self, idle: usize, finished: usize, lasting: std::time::Duration) {
         let is_worked_on =
             |run: &RelayedRun| run.lease.as_ref().is_some_and(|lease| lease.presence.is_live(lasting));
-        let over = self.beyond(finished, |run| run.run.phase.is_over());
+        let over = self.beyond(finished, |run| run.closed);
         let left = self.beyond(idle, |run| !run.run.phase.is_over() && !is_worked_on(run));
         for id in over.into_iter().chain(left) {
             if let Some(run) = self.runs.remove(&id) {

@@ -12,7 +12,7 @@ use goalgraph::protocol::{executor, monitor};
 use tokio::sync::Semaphore;
 
 use super::offer::Follow;
-use super::{Relay, connection, monitoring};
+use super::{Relay, greeting, monitoring};
 use crate::store::StoreError;
 
 /// How much is read of a connection at once, in bytes: there may be thousands.
@@ -60,7 +60,7 @@ pub async fn executor_socket(
     let upgrade = upgrade.max_message_size(limit * MARGIN).max_frame_size(limit * MARGIN);
     let slots = relay.inner.executor_slots.clone();
     connect(upgrade, &slots, async move |socket| {
-        connection::serve(relay.inner, socket, caller.token_id, follow).await;
+        greeting::serve(relay.inner, socket, caller.token_id, follow).await;
     })
 }
 

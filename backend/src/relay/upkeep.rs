@@ -35,12 +35,15 @@ impl Inner {
             Ok(approved) => {
                 let mut hub = self.hub();
                 let known = hub.approved.get(specification).map(|view| view.name.clone());
+                if known.is_none() && approved.is_none() {
+                    return;
+                }
                 let revision = approved.as_ref().map(|row| row.revision);
                 let name = approved.map(|row| row.name).or(known).unwrap_or_default();
                 hub.mark_approved(ApprovedView { specification: specification.to_owned(), name, revision });
             }
             Err(error) => {
-                tracing::warn!(specification, %error, "what is approved cannot be read; trying again")
+                tracing::warn!(specification, %error, "what is approved cannot be read; trying again");
             }
         }
     }

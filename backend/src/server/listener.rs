@@ -106,7 +106,7 @@ impl<S: Send + 'static> Accept<TcpStream, S> for Bounded {
     type Future = Pin<Box<dyn Future<Output = io::Result<(Self::Stream, Self::Service)>> + Send>>;
 
     fn accept(&self, stream: TcpStream, service: S) -> Self::Future {
-        let (inner, room) = (self.inner.clone(), Arc::clone(&self.room));
+        let (inner, room) = (self.inner, Arc::clone(&self.room));
         Box::pin(async move {
             let full = |_| io::Error::new(io::ErrorKind::ConnectionRefused, "too many connections");
             let permit = room.try_acquire_owned().map_err(full)?;

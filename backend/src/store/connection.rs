@@ -3,7 +3,6 @@
 use std::fs::File;
 use std::path::Path;
 use std::str::FromStr;
-use std::time::Duration;
 
 use sqlx::any::{AnyConnectOptions, AnyPoolOptions};
 use sqlx::migrate::Migrator;
@@ -15,6 +14,9 @@ use super::file::Files;
 use super::{Location, Store, StoreError, StoreOptions};
 
 static MIGRATIONS: Migrator = sqlx::migrate!();
+
+/// For how many of those that a locked database keeps for the whole of its timeout one that comes after them waits.
+const TURNS: u32 = 6;
 
 /// A kind of database.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -95,6 +97,12 @@ pub(super) async fn open(
         .after_connect(move |connection, _| {
             let greeting = greeting.clone();
             Box::pin(async move { greet(connection, greeting).await })
+        })
+        // SQLite itself rolls a transaction back when the disk is full, and the driver then takes it for unfinished:
+        // such a connection is closed, not used again.
+        .before_acquire(|connection, _| {
+            let is_free = !connection.is_in_transaction();
+            Box::pin(async move { Ok(is_free) })
         })
         .connect_lazy_with(database);
     Ok(pool)
@@ -188,14 +196,16 @@ impl Store {
     /// Begins a transaction that writes, once it is its turn.
     pub(super) async fn write(&self) -> Result<Writing, StoreError> {
         let turn = match self.backend {
-            Backend::Sqlite => Some(self.wait_for_turn(self.busy_timeout).await?),
+            Backend::Sqlite => Some(self.wait_for_turn().await?),
             Backend::Postgres => None,
         };
         let transaction = self.pool.begin_with(self.backend.begin_writing()).await?;
         Ok(Writing { transaction, _turn: turn })
     }
 
-    async fn wait_for_turn(&self, patience: Duration) -> Result<OwnedMutexGuard<()>, StoreError> {
+    /// Waits longer than for another program's lock: those who wait here do get on.
+    async fn wait_for_turn(&self) -> Result<OwnedMutexGuard<()>, StoreError> {
+        let patience = self.busy_timeout.saturating_mul(TURNS);
         timeout(patience, self.turn.clone().lock_owned()).await.map_err(|_| StoreError::Busy)
     }
 

@@ -88,6 +88,16 @@ impl Store {
         self.demonstration(&stored.sha256).await
     }
 
+    /// Removes what is left of files that were coming in when the program was ended, and returns how many they were. Only
+    /// for a server that takes none in yet, and has the data folder for itself.
+    ///
+    /// # Errors
+    ///
+    /// When the folder fails.
+    pub async fn remove_abandoned_uploads(&self) -> Result<u64, StoreError> {
+        self.files.remove_abandoned().await
+    }
+
     /// What is known of a file.
     ///
     /// # Errors

@@ -61,7 +61,28 @@ impl Files {
         self.folder.join("demonstrations").join(first).join(sha256)
     }
 
-    /// Stores the bytes of a stream, at most `limit_bytes`; durable when it returns. Content that is there stays.
+    /// Where files are until all of them is there.
+    fn incoming(&self) -> PathBuf {
+        self.folder.join("demonstrations").join("incoming")
+    }
+
+    /// Removes what is left of files that never came to their end, and returns how many they were.
+    pub(super) async fn remove_abandoned(&self) -> Result<u64, StoreError> {
+        let incoming = self.incoming();
+        let failed = |error: io::Error| StoreError::io(&incoming, error);
+        let mut entries = match tokio::fs::read_dir(&incoming).await {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(0),
+            result => result.map_err(failed)?,
+        };
+        let mut removed = 0;
+        while let Some(entry) = entries.next_entry().await.map_err(failed)? {
+            tokio::fs::remove_file(entry.path()).await.map_err(failed)?;
+            removed += 1;
+        }
+        Ok(removed)
+    }
+
+    /// Stores the bytes of a stream, at most `limit_bytes`; durable when it returns.
     pub(super) async fn put<B, E>(
         &self,
         limit_bytes: u64,
@@ -72,7 +93,7 @@ impl Files {
         B: AsRef<[u8]>,
         E: Into<io::Error>,
     {
-        let incoming = self.folder.join("demonstrations").join("incoming");
+        let incoming = self.incoming();
         tokio::fs::create_dir_all(&incoming).await.map_err(|error| StoreError::io(&incoming, error))?;
         let temporary = Temporary(incoming.join(Uuid::new_v4().simple().to_string()));
         let stored = write(&temporary.0, limit_bytes, chunks).await?;
@@ -93,9 +114,8 @@ impl Files {
         let (from, to) = (temporary.to_path_buf(), path.clone());
         let rename = move || {
             fs::create_dir_all(&folder)?;
-            if !to.is_file() {
-                fs::rename(&from, &to)?;
-            }
+            // Also over a file that is there: these bytes are right, and those may be damaged.
+            fs::rename(&from, &to)?;
             // The names themselves are on the disk only then, that of a new folder included.
             sync_folder(&folder)?;
             folder.parent().map_or(Ok(()), sync_folder)

@@ -46,6 +46,10 @@ impl Store {
     /// [`StoreError::Invalid`] when a text cannot be stored; when the database fails.
     pub async fn approve(&self, id: &str, new: NewApproval) -> Result<ApprovalRow, StoreError> {
         refuse_unstorable(&new.signature)?;
+        // 0 stands for no approved revision.
+        if new.revision == 0 {
+            return Err(not_found(id, new.revision));
+        }
         let mut writing = self.write().await?;
         let expected = new.expected_approved.map_or(0, stored_number);
         move_approved(&mut writing, id, expected, new.revision).await?;

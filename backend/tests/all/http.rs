@@ -151,27 +151,39 @@ pub(crate) fn send(
     headers: &[(&str, &str)],
     body: &[u8],
 ) -> Answer {
-    let mut stream = TcpStream::connect(address).unwrap();
+    try_send(address, method, path, headers, body).expect("an answer")
+}
+
+/// As [`send`]; none when the server ends before it has answered.
+pub(crate) fn try_send(
+    address: SocketAddr,
+    method: &str,
+    path: &str,
+    headers: &[(&str, &str)],
+    body: &[u8],
+) -> Option<Answer> {
+    let mut stream = TcpStream::connect(address).ok()?;
     let mut head = format!("{method} {path} HTTP/1.1\r\nconnection: close\r\n");
     if !headers.iter().any(|(name, _)| *name == "host") {
-        head += &format!("host: {address}\r\n");
+        head.extend(["host: ", &address.to_string(), "\r\n"]);
     }
     for (name, value) in headers {
         head.extend([*name, ": ", *value, "\r\n"]);
     }
     if !headers.iter().any(|(name, _)| *name == "content-length") && !body.is_empty() {
-        head += &format!("content-length: {}\r\n", body.len());
+        head.extend(["content-length: ", &body.len().to_string(), "\r\n"]);
     }
-    stream.write_all((head + "\r\n").as_bytes()).unwrap();
+    stream.write_all((head + "\r\n").as_bytes()).ok()?;
     // A server that refuses a body may not read it.
     let _ = stream.write_all(body);
     let mut answer = Vec::new();
-    stream.read_to_end(&mut answer).unwrap();
-    parse(&answer)
+    stream.read_to_end(&mut answer).ok()?;
+    parse(&answer, method == "HEAD")
 }
 
-fn parse(answer: &[u8]) -> Answer {
-    let end = answer.windows(4).position(|window| window == b"\r\n\r\n").unwrap();
+/// The answer, if it is whole.
+fn parse(answer: &[u8], is_head: bool) -> Option<Answer> {
+    let end = answer.windows(4).position(|window| window == b"\r\n\r\n")?;
     let head = std::str::from_utf8(&answer[..end]).unwrap();
     let mut lines = head.lines();
     let status = lines.next().unwrap().split(' ').nth(1).unwrap().parse().unwrap();
@@ -182,7 +194,12 @@ fn parse(answer: &[u8]) -> Answer {
     let headers: Vec<(String, String)> = lines.map(header).collect();
     let is_chunked = headers.iter().any(|(name, value)| name == "transfer-encoding" && value == "chunked");
     let body = &answer[end + 4..];
-    Answer { status, headers, bytes: if is_chunked { joined(body) } else { body.to_vec() } }
+    let promised = headers.iter().find(|(name, _)| name == "content-length");
+    let promised = promised.map_or(0, |(_, length)| length.parse::<usize>().unwrap());
+    if !is_head && promised > body.len() {
+        return None;
+    }
+    Some(Answer { status, headers, bytes: if is_chunked { joined(body) } else { body.to_vec() } })
 }
 
 /// The chunks of a body as one.

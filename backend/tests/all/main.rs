@@ -4,8 +4,11 @@
 
 mod api;
 mod check_and_export;
+mod executor;
+mod executor_session;
 mod http;
 mod infer;
+mod killed;
 mod plan;
 mod relay;
 mod schema;

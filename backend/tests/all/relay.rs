@@ -13,3 +13,4 @@ mod names;
 mod restarts;
 mod runs;
 mod slow;
+mod transcript;

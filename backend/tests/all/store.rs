@@ -6,6 +6,7 @@ mod backups;
 mod commands;
 mod demonstrations;
 mod faults;
+mod kill;
 mod place;
 mod runs;
 mod specifications;

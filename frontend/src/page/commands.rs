@@ -5,6 +5,7 @@ mod editing;
 mod files;
 mod going;
 mod keeping;
+mod running;
 
 use leptos::prelude::*;
 
@@ -32,11 +33,12 @@ pub(crate) struct Command {
 }
 
 /// The table in its parts, each with what it is about, in the order of the help page.
-pub(crate) const GROUPS: [(&str, &[Command]); 5] = [
+pub(crate) const GROUPS: [(&str, &[Command]); 6] = [
     ("Files", files::COMMANDS),
     ("Server", keeping::COMMANDS),
     ("Editing", editing::COMMANDS),
     ("Drawing", drawing::COMMANDS),
+    ("Running", running::COMMANDS),
     ("Going around", going::COMMANDS),
 ];
 

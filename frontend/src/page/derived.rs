@@ -6,6 +6,7 @@ mod marks;
 mod picture;
 mod residue;
 mod variants;
+mod watched;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -35,6 +36,7 @@ pub(crate) use marks::Marks;
 pub(crate) use picture::Picture;
 pub(crate) use residue::Residue;
 pub(crate) use variants::{Fit, Variant, ways};
+pub(crate) use watched::{StateMark, TransitionMark, Watched, Way};
 
 /// All memos.
 pub(crate) struct Derived {
@@ -96,6 +98,8 @@ pub(crate) struct Derived {
     pub(crate) candidates: Memo<Vec<MergeCandidate>>,
     /// How the work stands with the server.
     pub(crate) keeping: Keeping,
+    /// What follows from what was heard of executors and runs.
+    pub(crate) watched: Watched,
 }
 
 impl Derived {
@@ -113,7 +117,10 @@ impl Derived {
             let specification = specification.get()?;
             Some(Arc::new(specification.pdfa.probabilities(specification.semantics)))
         });
-        let present = Memo::new(move |_| present(model, &*specification.get()?));
+        let watched = Watched::of(model, specification);
+        let monitoring = watched.monitoring;
+        let present =
+            Memo::new(move |_| if monitoring.get() { None } else { present(model, &*specification.get()?) });
         let planned = move |from: Option<StateId>, unavailable: BTreeSet<Symbol>, strategy: Strategy| {
             let (specification, probabilities) = (specification.get()?, probabilities.get()?);
             let request =
@@ -174,6 +181,8 @@ impl Derived {
             }),
             preferred,
             followed: Memo::new(move |_| match model.tab.get() {
+                // The plan of the robot is marked in a way of its own.
+                Tab::Run if monitoring.get() => None,
                 Tab::Run => plan_now.get().and_then(possible),
                 _ => preferred.get(),
             }),
@@ -192,6 +201,7 @@ impl Derived {
             }),
             candidates: Memo::new(move |_| candidates(model, specification.get())),
             keeping: Keeping::of(model, specification),
+            watched,
         }
     }
 }

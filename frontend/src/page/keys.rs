@@ -23,8 +23,8 @@ pub(crate) fn press(app: App, event: &KeyboardEvent) {
     let named = |key: &str| commands().find(|command| command.keys.contains(&key));
     let Some(command) = named(&key).or_else(|| named(&without_shift)) else { return };
     let enabled = untrack(|| (command.enabled)(app));
-    // A focused button answers to Enter by itself.
-    if key == "Enter" && (!enabled || is_button(event)) {
+    // A focused button answers to Enter and the space bar by itself.
+    if ["Enter", " "].contains(&key.as_str()) && (!enabled || is_button(event)) {
         return;
     }
     if enabled {
@@ -54,14 +54,18 @@ pub(crate) fn shown(key: &str) -> String {
         Some((modifier, letter)) if letter.chars().count() == 1 => {
             format!("{modifier}+{}", letter.to_uppercase())
         }
-        _ if key.len() == 1 => key.to_uppercase(),
-        _ => key.replace("Escape", "Esc"),
+        _ if key.len() == 1 && key != " " => key.to_uppercase(),
+        _ => key.replace("Escape", "Esc").replace(' ', "Space"),
     }
 }
 
 fn is_button(event: &KeyboardEvent) -> bool {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
-    target.is_some_and(|element| ["BUTTON", "SUMMARY", "A"].contains(&element.tag_name().as_str()))
+    target.is_some_and(|element| {
+        let kind = element.get_attribute("type").unwrap_or_default();
+        let switch = element.tag_name() == "INPUT" && ["checkbox", "radio"].contains(&kind.as_str());
+        switch || ["BUTTON", "SUMMARY", "A"].contains(&element.tag_name().as_str())
+    })
 }
 
 fn is_typing(event: &KeyboardEvent) -> bool {
@@ -69,7 +73,7 @@ fn is_typing(event: &KeyboardEvent) -> bool {
     target.is_some_and(|element| {
         let kind = element.get_attribute("type").unwrap_or_default();
         let text_input =
-            element.tag_name() == "INPUT" && !["checkbox", "radio", "file"].contains(&kind.as_str());
+            element.tag_name() == "INPUT" && !["checkbox", "radio", "file", "range"].contains(&kind.as_str());
         text_input || ["TEXTAREA", "SELECT"].contains(&element.tag_name().as_str())
     })
 }
@@ -94,8 +98,8 @@ mod tests {
     #[test]
     fn keys_are_shown_as_people_write_them() {
         assert_eq!(
-            ["Ctrl+k", "o", "Shift+1", "+", "Escape", "Ctrl+Delete"].map(shown),
-            ["Ctrl+K", "O", "Shift+1", "+", "Esc", "Ctrl+Delete"]
+            ["Ctrl+k", "o", "Shift+1", "+", "Escape", "Ctrl+Delete", " "].map(shown),
+            ["Ctrl+K", "O", "Shift+1", "+", "Esc", "Ctrl+Delete", "Space"]
         );
     }
 }

@@ -3,6 +3,7 @@
 mod editing;
 mod keeping;
 mod looking;
+mod watching;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -25,6 +26,9 @@ pub(crate) use keeping::{
     Compared, KeepDialog, Keeping, Kept, Lineage, Loading, Onto, Queued, Server, Signing,
 };
 pub(crate) use looking::{Search, Side, Simulation, TextPane, Tidied};
+pub(crate) use watching::{
+    Connection, EventFilter, EventKind, EventLog, Heard, Replay, RunMode, SeenExecutor, Watching,
+};
 
 /// What a task is called until somebody names it; the command line's default is the same.
 pub(crate) const UNTITLED: &str = "Untitled task";
@@ -254,6 +258,8 @@ pub(crate) struct Model {
     pub(crate) aside: RwSignal<Vec<String>>,
     /// What the server keeps of it.
     pub(crate) keeping: Keeping,
+    /// Executors and runs.
+    pub(crate) watching: Watching,
     /// The colors of the page.
     pub(crate) theme: RwSignal<Theme>,
 }
@@ -304,6 +310,7 @@ impl Model {
             unkept: RwSignal::default(),
             aside: RwSignal::default(),
             keeping: Keeping::default(),
+            watching: Watching::new(),
             theme: RwSignal::new(Theme::stored()),
         }
     }

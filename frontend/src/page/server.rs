@@ -3,6 +3,7 @@
 mod answer;
 mod approvals;
 mod demonstrations;
+mod runs;
 mod session;
 mod specifications;
 
@@ -11,6 +12,7 @@ pub(crate) use approvals::{approvals, sign};
 pub(crate) use demonstrations::{
     demonstration, link_demonstration, linked_demonstrations, put_demonstration,
 };
+pub(crate) use runs::{events, order, runs};
 pub(crate) use session::{log_in, session};
 pub(crate) use specifications::{create, delete, revision, revisions, save, specification, specifications};
 

@@ -8,6 +8,7 @@ mod open;
 mod save;
 mod select;
 mod simulation;
+mod watch;
 mod worker;
 
 use std::cell::{Cell, OnceCell, RefCell};
@@ -23,6 +24,7 @@ use web_sys::File;
 use super::autosave;
 use super::derived::Derived;
 use super::model::{Model, Notice, Search, Tidied};
+use super::monitor;
 use super::samples;
 use super::theme::Theme;
 use super::view;
@@ -32,6 +34,7 @@ use crate::protocol::{FileId, ToWorker};
 pub(crate) use action::Action;
 pub(crate) use keeping::{Choice, KeepAction};
 pub(crate) use select::Flow;
+pub(crate) use watch::WatchAction;
 
 /// The app: its state and its line to the worker. A handle.
 #[derive(Clone, Copy)]
@@ -83,6 +86,7 @@ impl App {
         samples::list(self);
         autosave::start(self);
         self.start_keeping();
+        monitor::start(self);
         // Something else was learned or opened.
         Effect::new(move |_| {
             let waiting = self.model.tidied.with(|tidied| tidied.asked != tidied.answered);
@@ -95,6 +99,9 @@ impl App {
     /// Does what a gesture means.
     pub(crate) fn act(self, action: Action) {
         let model = self.model;
+        if action.is_edit() && self.derived.watched.monitoring.get_untracked() {
+            return self.say(Notice::alarm("Runs are only watched here: edit on the Automaton tab."));
+        }
         match action {
             Action::Open(files) => self.open(files),
             Action::Remove(id) => self.remove(id),
@@ -114,7 +121,10 @@ impl App {
             Action::Show(demonstration) => self.show(demonstration),
             Action::ShowNamed(index, frame) => self.show_named(index, frame),
             Action::ShowSubset(index) => model.subset.set(index),
-            Action::GoTo(tab) => model.tab.set(tab),
+            Action::GoTo(tab) => {
+                self.settle_mode(tab);
+                model.tab.set(tab);
+            }
             Action::Select(selection) => self.select(selection),
             Action::ToggleSelected(item) => self.toggle_selected(item),
             Action::SelectAll(items) => model.selection.set(items),
@@ -177,6 +187,7 @@ impl App {
             Action::Overlay(overlay) => model.overlay.set(overlay),
             Action::ToggleTheme => self.set_theme(model.theme.get_untracked().toggled()),
             Action::Export(format) => self.export(format),
+            Action::Watch(action) => self.watch(action),
             Action::Say(notice) => model.notice.set(notice),
         }
     }

@@ -3,9 +3,14 @@
 //! Every message is one JSON object in one text frame. The executor speaks first ([`FromExecutor::Hello`]); the server
 //! answers with [`ToExecutor::Welcome`] and the approved specification. docs/executor-protocol.md tells the whole of it.
 
+mod transcript;
+
 use serde::{Deserialize, Serialize};
 
 use crate::run::RunEvent;
+pub use transcript::Spoken;
+#[cfg(feature = "schema")]
+pub use transcript::json_schema;
 
 /// The WebSocket subprotocol, version included.
 pub const SUBPROTOCOL: &str = "goalgraph.executor.v1";
@@ -36,7 +41,7 @@ pub enum FromExecutor {
     },
     /// It will not follow the specification with this SHA-256.
     Rejected {
-        /// SHA-256 of the content as it was received, hexadecimal.
+        /// The SHA-256 that the server named, whatever that of the content is.
         sha256: String,
         /// Why, for people.
         reason: String,
@@ -84,6 +89,8 @@ pub enum ToExecutor {
         specification: String,
         /// Number of the approved revision.
         revision: u64,
+        /// Place of its approval in the server's journal: what was approved later has a higher one.
+        approval: u64,
         /// SHA-256 of the UTF-8 bytes of `content`, hexadecimal.
         sha256: String,
         /// The specification file (`*.goalgraph.json`), byte for byte.

@@ -16,7 +16,7 @@ const VERSIONS: &str = "/usr/lib/postgresql";
 /// # Errors
 ///
 /// When there are none and they cannot be installed.
-pub(super) fn ensure() -> Result<PathBuf> {
+pub(crate) fn ensure() -> Result<PathBuf> {
     if let Some(found) = find() {
         return Ok(found);
     }
@@ -24,7 +24,8 @@ pub(super) fn ensure() -> Result<PathBuf> {
     find().context("the package postgresql has no programs `initdb` and `postgres`")
 }
 
-fn find() -> Option<PathBuf> {
+/// The folder of PostgreSQL's programs, if they are installed.
+pub(crate) fn find() -> Option<PathBuf> {
     newest_version().or_else(|| on_path("initdb")?.parent().map(Path::to_path_buf)).filter(|it| is_whole(it))
 }
 

@@ -5,7 +5,7 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use anyhow::{Context, Result, bail};
 
@@ -103,7 +103,8 @@ impl Folder {
     /// In the folder for temporary files: a server that is not run by root cannot reach root's own folders, and a socket's
     /// path must be short.
     fn create() -> Result<Self> {
-        let path = env::temp_dir().join(format!("goalgraph-postgres-{}", std::process::id()));
+        let started = SystemTime::now().duration_since(UNIX_EPOCH)?.as_micros();
+        let path = env::temp_dir().join(format!("goalgraph-postgres-{}-{started}", std::process::id()));
         fs::create_dir(&path).with_context(|| format!("cannot make {}", path.display()))?;
         Ok(Self(path))
     }
@@ -164,4 +165,24 @@ fn own(_: &Path, _: u32, _: u32) -> Result<()> {
 fn id(arguments: &[&str]) -> Result<u32> {
     let printed = first_line(Command::new("id").args(arguments)).context("`id` fails")?;
     printed.parse().with_context(|| format!("`id` printed {printed}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::setup::postgres::find;
+
+    #[test]
+    fn a_server_answers_while_it_is_held_and_is_gone_after() {
+        let programs = find().expect("PostgreSQL is missing: run `cargo xtask setup`");
+        let postgres = Postgres::start(&programs).expect("it starts");
+        let query = |url: &str| {
+            let mut psql = Command::new(programs.join("psql"));
+            first_line(psql.args(["--no-psqlrc", "-tAc", "SELECT 6 * 7"]).arg(url))
+        };
+        let (url, folder) = (postgres.url(), postgres.folder.0.clone());
+        assert_eq!(query(&url).as_deref(), Some("42"));
+        drop(postgres);
+        assert!(!folder.exists() && query(&url).is_none());
+    }
 }

@@ -12,11 +12,13 @@ pub(super) struct Tally {
 }
 
 impl Tally {
-    /// Adds what a line says, if it is a summary line of nextest, libtest or Playwright.
+    /// Adds what a line says, if it is a summary line of nextest, libtest, pytest or Playwright.
     pub(super) fn read(&mut self, line: &str) {
         let words: Vec<&str> = line.split_whitespace().collect();
         let is_summary = match words[..] {
             ["Summary", ..] | ["test", "result:", ..] => true,
+            // pytest: between two rules.
+            [first, .., last] if is_rule(first) && is_rule(last) => true,
             // Playwright: a count and a word, indented, on a line of its own, with a time at most.
             [count, _, ref rest @ ..] => {
                 line.starts_with(' ')
@@ -40,6 +42,10 @@ impl Tally {
             }
         }
     }
+}
+
+fn is_rule(word: &str) -> bool {
+    word.len() > 1 && word.bytes().all(|byte| byte == b'=')
 }
 
 impl AddAssign for Tally {
@@ -70,9 +76,10 @@ mod tests {
     }
 
     #[test]
-    fn summaries_of_all_three_runners_are_read() {
+    fn summaries_of_all_runners_are_read() {
         check("     Summary [   0.512s] 24 tests run: 21 passed (1 slow), 3 failed, 2 skipped", [21, 3, 2]);
         check("test result: ok. 7 passed; 1 failed; 2 ignored; 0 measured; 4 filtered out", [7, 1, 2]);
+        check("=========== 1 failed, 22 passed, 3 skipped in 1.88s ===========", [22, 1, 3]);
         check("  4 passed (5.0s)", [4, 0, 0]);
         check("  1 failed", [0, 1, 0]);
         check("  2 skipped", [0, 0, 2]);
@@ -82,6 +89,7 @@ mod tests {
     fn other_lines_are_not_counted() {
         check("", [0, 0, 0]);
         check("the 3 passed", [0, 0, 0]);
+        check("=========== test session starts ===========", [0, 0, 0]);
         check("  3 passed the exam", [0, 0, 0]);
         check("  1 smoke.spec.ts:3:5 > the app opens", [0, 0, 0]);
     }

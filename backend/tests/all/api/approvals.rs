@@ -64,7 +64,7 @@ fn of_two_who_approve_at_once_one_is_told_of_the_other() {
     let lost: Problem = answers.iter().find(|it| it.status == 409).unwrap().json();
     assert_eq!(lost.approved, Some(1));
     let won: Approval = answers.iter().find(|it| it.status == 201).unwrap().json();
-    assert_eq!(lost.detail, format!("revision 1 was approved meanwhile by {}", won.who));
+    assert_eq!(lost.detail, format!("revision 1 was approved by {}", won.who));
 }
 
 #[test]

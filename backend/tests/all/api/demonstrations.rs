@@ -7,7 +7,7 @@ use super::{create, specification};
 use crate::http::{Answer, Server, send};
 
 fn sha256(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+    goalgraph_server::digest::hex(&Sha256::digest(bytes))
 }
 
 fn put(server: &Server, sha256: &str, name: &str, bytes: &[u8]) -> Answer {

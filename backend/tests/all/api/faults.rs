@@ -84,7 +84,7 @@ fn one_client_that_asks_without_end_is_told_to_wait() {
     let mut stream = TcpStream::connect(server.address).unwrap();
     let request = format!("GET /api/v1/health HTTP/1.1\r\nhost: {}\r\n\r\n", server.address);
     let mut refused = false;
-    let mut buffer = [0; 65_536];
+    let mut buffer = vec![0; 65_536];
     for _ in 0..400 {
         stream.write_all(request.repeat(20).as_bytes()).unwrap();
         let read = stream.read(&mut buffer).unwrap();

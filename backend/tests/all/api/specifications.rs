@@ -133,6 +133,8 @@ fn content_that_is_no_specification_is_refused_with_its_place() {
     assert_eq!(refused(&long), "author: 201 characters; at most 200 are taken");
     let control = json!({"content": specification("Blocks", &["a"]), "message": "a\u{0}b"});
     assert_eq!(refused(&control), "message: holds the control character '\\0'");
+    let places = json!({"content": specification("Blocks", &["a"]), "positions": "here"});
+    assert_eq!(refused(&places), "positions: expected an object, or null");
     let unknown = json!({"content": "", "writer": "Ada"});
     assert!(refused(&unknown).contains("unknown field `writer`"));
 }

@@ -13,9 +13,11 @@ async fn an_executor_is_welcomed_and_gets_what_is_approved() {
     let welcome =
         ToExecutor::Welcome { heartbeat_ms: 5_000, lease_ms: 15_000, max_message_bytes: 256 * 1024 };
     assert_eq!(robot.hear().await, welcome);
+    let row = bench.store.approved(&approved.specification).await.unwrap().unwrap();
     let offer = ToExecutor::Specification {
         specification: approved.specification,
         revision: 1,
+        approval: row.sequence,
         sha256: approved.sha256,
         content: approved.content,
     };

@@ -89,9 +89,8 @@ impl Client {
     /// Reads until the connection ends, and returns the code of the close frame.
     pub(crate) async fn hear_close(&mut self) -> Option<u16> {
         loop {
-            match self.frame().await? {
-                Message::Close(frame) => return frame.map(|frame| frame.code.into()),
-                _ => {}
+            if let Message::Close(frame) = self.frame().await? {
+                return frame.map(|frame| frame.code.into());
             }
         }
     }

@@ -120,4 +120,10 @@ async fn an_executor_holds_no_more_runs_than_it_may() {
     assert_eq!(robot.hear_refusal().await.0, Refusal::TooMany);
     robot.must_report("run-1", 1, RunEvent::Stopped).await;
     robot.must_begin("run-3", &sha256).await;
+    let is_in = || bench.relay.executors()[0].run.clone();
+    assert_eq!(is_in().as_deref(), Some("run-3"));
+    robot.must_report("run-3", 1, RunEvent::Stopped).await;
+    assert_eq!(is_in().as_deref(), Some("run-2"));
+    robot.must_report("run-2", 1, RunEvent::Stopped).await;
+    assert_eq!(is_in(), None);
 }

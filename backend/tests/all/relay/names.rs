@@ -1,5 +1,8 @@
+use std::time::Duration;
+
 use goalgraph::protocol::executor::{FromExecutor, SUBPROTOCOL, ToExecutor, close};
 use goalgraph::run::RunEvent;
+use tokio::runtime::Handle;
 
 use super::bench::Bench;
 use super::client::{Client, open};
@@ -60,6 +63,9 @@ async fn a_thousand_connections_of_one_executor_leave_one() {
     let bench = Bench::new().await;
     bench.approve("Stack", &["red green"]).await;
     let mut page = bench.monitor().await;
+    page.watch().await;
+    let tasks = || Handle::current().metrics().num_alive_tasks();
+    let before = tasks();
     for _ in 0..1_000 {
         drop(bench.executor("arm").await);
     }
@@ -70,6 +76,9 @@ async fn a_thousand_connections_of_one_executor_leave_one() {
     page.watch_executor(|it| it.connected && it.holds.is_some()).await;
     drop(last);
     page.watch_executor(|it| !it.connected).await;
+    while tasks() > before {
+        tokio::time::sleep(Duration::from_millis(10)).await;
+    }
     bench.relay.shutdown().await;
     let counts = bench.relay.counts();
     assert_eq!((counts.executors, counts.monitors), (0, 0));

@@ -1,7 +1,7 @@
 use goalgraph::pdfa::{StateId, Symbol};
 use goalgraph::protocol::executor::{Denial, FromExecutor, Refusal, ToExecutor};
 use goalgraph::run::{Departure, Phase, RunEvent};
-use goalgraph_server::store::{PageRequest, RunFilter};
+use goalgraph_server::store::{PageRequest, RunFilter, StoreOptions};
 
 use super::bench::Bench;
 
@@ -46,7 +46,7 @@ async fn a_run_is_followed_from_its_plan_to_its_end() {
     let over = page.watch_run(|run| run.phase == Phase::Finished).await;
     assert_eq!((over.executor.as_str(), &over.specification), ("arm", &approved.specification));
     assert_eq!((over.trail.clone(), over.departure), (vec![green, red], None));
-    assert_eq!(over.log_likelihood, 0.5_f64.ln());
+    assert_eq!(over.log_likelihood.to_bits(), 0.5_f64.ln().to_bits());
     assert_eq!(over.states.len(), 3);
     assert_eq!(bench.relay.run("run-1").await.unwrap(), over);
     let events = bench.store.events("run-1", 0, 100).await.unwrap();
@@ -149,6 +149,25 @@ async fn a_run_begins_with_the_accepted_and_approved_revision_only() {
     assert_eq!(robot.hear().await, ToExecutor::Withdrawn);
     assert_eq!(denial(&robot.begin("run-2", &second.sha256).await), Some(Denial::Stale));
     robot.must_report("run-1", 2, completed(1)).await;
+}
+
+#[tokio::test]
+async fn a_run_goes_on_when_its_specification_is_deleted_and_no_other_begins() {
+    let bench = Bench::new().await;
+    let approved = bench.approve("Stack", EITHER).await;
+    let (mut robot, sha256) = bench.ready("arm").await;
+    robot.must_begin("run-1", &sha256).await;
+    bench.store.delete(&approved.specification).await.unwrap();
+    bench.relay.approval_changed(&approved.specification).await;
+    assert_eq!(robot.hear().await, ToExecutor::Withdrawn);
+    assert_eq!(denial(&robot.begin("run-2", &sha256).await), Some(Denial::Stale));
+    robot.must_report("run-1", 1, completed(0)).await;
+
+    // Without its specification it cannot be followed from the beginning again.
+    let bench = bench.restart(StoreOptions::default()).await;
+    let mut robot = bench.executor("arm").await;
+    assert_eq!(robot.hear().await, ToExecutor::Withdrawn);
+    assert_eq!(denial(&robot.begin("run-1", &sha256).await), Some(Denial::Stale));
 }
 
 #[tokio::test]

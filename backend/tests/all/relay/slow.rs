@@ -11,7 +11,7 @@ const APPROVALS: usize = 60;
 
 /// Patient enough that nobody is dropped while a test makes its approvals.
 fn patient() -> RelayLimits {
-    let long = Duration::from_secs(120);
+    let long = Duration::from_mins(2);
     RelayLimits { send: long, lease: long, heartbeat: long, ..RelayLimits::default() }
 }
 

@@ -16,10 +16,18 @@ on_every_database! {
     a_file_that_is_too_large_or_breaks_off_leaves_nothing,
     files_are_linked_to_the_specifications_that_use_them,
     damaged_and_missing_files_are_found,
+    a_damaged_file_is_whole_again_when_it_comes_again,
+    what_is_left_of_an_interrupted_upload_can_be_removed,
 }
 
 fn named(name: &str) -> NewDemonstration {
-    NewDemonstration { name: name.to_owned(), media_type: "text/csv".to_owned(), limit_bytes: 10, at_ms: 1 }
+    NewDemonstration {
+        name: name.to_owned(),
+        media_type: "text/csv".to_owned(),
+        limit_bytes: 10,
+        expected_sha256: None,
+        at_ms: 1,
+    }
 }
 
 /// Puts a file that comes in pieces.
@@ -126,4 +134,23 @@ async fn damaged_and_missing_files_are_found(place: Arc<Place>) {
     assert_eq!(error.to_string(), expected);
     let error = store.open_demonstration(&gone.sha256).await.unwrap_err();
     assert_eq!(error.to_string(), format!("damaged: demonstration {}: the file is gone", gone.sha256));
+}
+
+async fn a_damaged_file_is_whole_again_when_it_comes_again(place: Arc<Place>) {
+    let store = place.open().await;
+    let row = put(&store, "1.csv", &["abc"]).await.unwrap();
+    fs::write(&demonstration_files(&place.data())[0], "abd").unwrap();
+    assert_eq!(store.verify().await.unwrap().faults.len(), 1);
+    assert_eq!(put(&store, "2.csv", &["abc"]).await.unwrap(), row);
+    assert_eq!(store.verify().await.unwrap().faults, Vec::<String>::new());
+}
+
+async fn what_is_left_of_an_interrupted_upload_can_be_removed(place: Arc<Place>) {
+    let store = place.open().await;
+    assert_eq!(store.remove_abandoned_uploads().await.unwrap(), 0);
+    put(&store, "1.csv", &["abc"]).await.unwrap();
+    fs::write(place.data().join("demonstrations").join("incoming").join("x"), "half").unwrap();
+    assert_eq!(store.remove_abandoned_uploads().await.unwrap(), 1);
+    assert_eq!(demonstration_files(&place.data()).len(), 1);
+    assert_eq!(store.verify().await.unwrap().faults, Vec::<String>::new());
 }

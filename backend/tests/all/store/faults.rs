@@ -15,6 +15,7 @@ on_every_database! {
     a_database_that_another_program_has_locked_is_waited_for_and_then_said,
     a_store_works_again_after_a_write_was_given_up_half_way,
     another_store_on_the_same_database_sees_and_respects_what_is_saved,
+    a_store_is_used_by_many_tasks_at_once,
 }
 
 async fn a_database_that_another_program_has_locked_is_waited_for_and_then_said(place: Arc<Place>) {
@@ -65,6 +66,31 @@ async fn another_store_on_the_same_database_sees_and_respects_what_is_saved(plac
     assert_eq!(two.content(&id, 3).await.unwrap(), "3");
 }
 
+async fn a_store_is_used_by_many_tasks_at_once(place: Arc<Place>) {
+    let store = place.open().await;
+    let specification = store.create(revision("1")).await.unwrap();
+    let mut tasks = tokio::task::JoinSet::new();
+    for number in 0..20 {
+        let (store, specification) = (store.clone(), specification.clone());
+        let copy = place.folder.path().join(format!("copy {number}"));
+        tasks.spawn(async move {
+            let id = format!("run {number}");
+            store.begin_run(run_of(&specification, &id)).await.unwrap();
+            let event = NewEvent { number: 1, event: "{}".to_owned(), robot_at_ms: None, received_at_ms: 1 };
+            assert_eq!(store.append_events(&id, &[event]).await.unwrap(), [Appended::Stored]);
+            store.revisions(&specification.id, &PageRequest::default()).await.unwrap();
+            assert_eq!(store.verify().await.unwrap().faults, Vec::<String>::new());
+            if number % 10 == 0 {
+                store.backup(&copy).await.unwrap();
+            }
+        });
+    }
+    while let Some(ended) = tasks.join_next().await {
+        ended.unwrap();
+    }
+    assert_eq!(store.verify().await.unwrap().events, 20);
+}
+
 #[test]
 fn on_a_full_disk_nothing_is_half_stored_and_what_was_acknowledged_stays() {
     run(Backend::Sqlite, async |place: Arc<Place>| {
@@ -82,6 +108,10 @@ fn on_a_full_disk_nothing_is_half_stored_and_what_was_acknowledged_stays() {
         };
         assert!(matches!(error, StoreError::Full), "{error}");
         assert!(head > 3, "{head}");
+        for _ in 0..20 {
+            let error = store.save(&specification.id, head, revision(&large)).await.unwrap_err();
+            assert!(matches!(error, StoreError::Full), "{error}");
+        }
         let mut last = 0;
         let error = loop {
             let event = NewEvent {

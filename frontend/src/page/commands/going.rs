@@ -3,8 +3,8 @@
 use leptos::prelude::*;
 
 use super::{Command, always, has_automaton};
-use crate::page::model::{Overlay, Side, Tab};
-use crate::page::update::{Action, App};
+use crate::page::model::{Overlay, RunMode, Side, Tab};
+use crate::page::update::{Action, App, WatchAction};
 
 pub(super) const COMMANDS: &[Command] = &[
     Command {
@@ -124,6 +124,7 @@ pub(super) const COMMANDS: &[Command] = &[
         enabled: |app| has_automaton(app) && !is_walking(app),
         run: |app| {
             app.act(Action::GoTo(Tab::Run));
+            app.act(Action::Watch(WatchAction::Mode(RunMode::Simulate)));
             app.act(Action::Walk(true));
         },
     },

@@ -13,6 +13,7 @@ use web_sys::File;
 
 use super::keeping::KeepAction;
 use super::select::Flow;
+use super::watch::WatchAction;
 use crate::page::model::{Menu, Notice, Overlay, Sample, Selection, Side, Tab, TextPane};
 use crate::protocol::{DemonstrationId, FileId};
 
@@ -138,6 +139,18 @@ pub(crate) enum Action {
     ToggleTheme,
     /// Save the specification.
     Export(ExportFormat),
+    /// Watch executors and runs.
+    Watch(WatchAction),
     /// Say a sentence.
     Say(Notice),
+}
+
+impl Action {
+    /// Whether it changes the automaton, or is about to.
+    pub(super) fn is_edit(&self) -> bool {
+        matches!(
+            self,
+            Self::Begin(_) | Self::Apply | Self::Edit(..) | Self::Undo | Self::Redo | Self::Jump(_)
+        )
+    }
 }

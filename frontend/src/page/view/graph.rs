@@ -4,6 +4,7 @@ mod canvas;
 mod frame;
 mod gesture;
 mod handles;
+mod live;
 mod minimap;
 pub(crate) mod paths;
 mod state;
@@ -59,8 +60,9 @@ fn is_selected(app: App, item: Selection) -> bool {
 
 /// A click or Enter: selects, or adds to the selection, or takes a step of a walk.
 fn pick(app: App, item: Selection, more: bool) {
-    let walking =
-        app.model.simulation.with_untracked(|walk| walk.on) && app.model.tab.get_untracked() == Tab::Run;
+    let walking = app.model.simulation.with_untracked(|walk| walk.on)
+        && app.model.tab.get_untracked() == Tab::Run
+        && !app.derived.watched.monitoring.get_untracked();
     match item {
         Selection::Transition(source, symbol) if walking => {
             if app.derived.present.get_untracked() == Some(source) {

@@ -86,6 +86,8 @@ impl App {
                 return self.say(Notice::alarm(format!("Revision {}: {reason}.", revision.number)));
             }
         };
+        // Who watches a run goes on watching it.
+        let watching = self.derived.watched.monitoring.get_untracked();
         let same = self.kept().filter(|kept| kept.id == entry.id);
         if same.is_none() && !self.derived.keeping.has_unsaved.get_untracked() {
             // What is there is safe elsewhere: the history begins anew.
@@ -109,7 +111,7 @@ impl App {
         let id = entry.id.clone();
         self.heard_of(entry);
         self.close_dialog();
-        self.model.tab.set(Tab::Automaton);
+        self.model.tab.set(if watching { Tab::Run } else { Tab::Automaton });
         self.say(Notice::calm(format!("{name}, revision {number}, is open.")));
         self.bring_recordings(id);
     }

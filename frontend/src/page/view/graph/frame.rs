@@ -23,7 +23,7 @@ pub(super) fn frame(app: App, part: Memo<ViewPart>, content: impl IntoView + 'st
         <div
             class="graph-frame"
             class:merging=merging
-            class:walking=move || app.model.tab.get() == Tab::Run && app.model.simulation.with(|walk| walk.on)
+            class:walking=move || is_walking(app)
             node_ref=node
             on:pointerdown=move |event| gesture::down(app, pressed, &event)
             on:pointermove=move |event| gesture::shift(app, pressed, &event)
@@ -38,6 +38,11 @@ pub(super) fn frame(app: App, part: Memo<ViewPart>, content: impl IntoView + 'st
             {minimap::minimap(app)}
         </div>
     }
+}
+
+fn is_walking(app: App) -> bool {
+    let running = app.model.tab.get() == Tab::Run && !app.derived.watched.monitoring.get();
+    running && app.model.simulation.with(|walk| walk.on)
 }
 
 /// Keeps the frame's size in the model. A drawing that nobody has moved is fitted to it; another one keeps its middle.

@@ -8,7 +8,7 @@ use goalgraph::pdfa::StateId;
 use leptos::prelude::*;
 use web_sys::KeyboardEvent;
 
-use super::{is_selected, pick};
+use super::{is_selected, live, pick};
 use crate::page::model::{Gesture, Selection};
 use crate::page::text;
 use crate::page::update::App;
@@ -36,6 +36,11 @@ pub(super) fn state(app: App, id: StateId) -> impl IntoView {
     let preferred =
         move || app.derived.followed.with(|plan| plan.as_ref().is_some_and(|it| it.states.contains(&id)));
     let found = move || app.derived.hits.with(|hits| hits.contains(&item));
+    let mark = Memo::new(move |_| {
+        let marks = app.derived.watched.marks.get();
+        marks.map(|marks| marks.state(id)).unwrap_or_default()
+    });
+    let label = move || live::state_label(&mark.read(), label());
     let target = move || app.model.gesture.with(|gesture| over(gesture.as_ref()) == Some(id));
     view! {
         <g
@@ -49,18 +54,25 @@ pub(super) fn state(app: App, id: StateId) -> impl IntoView {
             class:found=found
             class:target=target
             class:present=move || app.derived.present.get() == Some(id)
+            class:live=move || mark.with(|mark| mark.here.is_some())
+            class:departed=move || mark.with(|mark| mark.departed)
+            class:passed=move || mark.with(|mark| mark.age.is_some())
+            class:ahead=move || mark.with(|mark| mark.ahead)
             role="button"
             tabindex="0"
             aria-label=label
             aria-description=move || description(app, id)
             aria-pressed=move || is_selected(app, item).to_string()
             data-state=id.to_string()
+            data-live-state=move || mark.with(live::hook)
+            data-age=move || mark.with(|mark| mark.age.map(live::shade))
             style:transform=transform
             on:focus=move |_| if let Some(place) = place.get_untracked() { reveal(app, place) }
             on:click=move |event| pick(app, item, event.shift_key() || event.ctrl_key() || event.meta_key())
             on:keydown=move |event| press(app, &event, item)
         >
             {move || drawing.get().map(|drawing| content(app, id, &drawing))}
+            {move || drawing.get().and_then(|drawing| live::ring(&mark.read(), drawing.width, drawing.height))}
         </g>
     }
 }

@@ -9,7 +9,8 @@ use goalgraph::specification::Specification;
 use leptos::prelude::*;
 
 use super::state::press;
-use super::{is_selected, paths, pick};
+use super::{is_selected, live, paths, pick};
+use crate::page::derived::Way;
 use crate::page::model::Selection;
 use crate::page::text;
 use crate::page::update::App;
@@ -41,12 +42,27 @@ pub(super) fn transition(app: App, source: StateId, symbol: Symbol) -> impl Into
     let changes = move || app.derived.marks.with(|marks| marks.chances.contains_key(&name));
     let dim =
         move || app.model.lit.with(|lit| !lit.is_empty()) && !app.derived.lit.with(|lit| lit.contains(&name));
+    let mark = Memo::new(move |_| {
+        let marks = app.derived.watched.marks.get();
+        marks.map(|marks| marks.transition(source, symbol)).unwrap_or_default()
+    });
+    let label = move || Some(live::transition_label(mark.get(), &label()?));
+    let left_out = move || {
+        mark.get().unavailable
+            || (!app.derived.watched.monitoring.get()
+                && app.model.unavailable.with(|unavailable| unavailable.contains(&symbol)))
+    };
     let enabled = move || app.derived.present.get() == Some(source);
     view! {
         <g
             class="transition"
             class:preferred=preferred
-            class:left-out=move || app.model.unavailable.with(|unavailable| unavailable.contains(&symbol))
+            class:left-out=left_out
+            class:out=move || mark.get().unavailable
+            class:passed=move || matches!(mark.get().way, Way::Taken(_))
+            class:ahead=move || mark.get().way == Way::Ahead
+            class:active=move || mark.get().way == Way::Active
+            class:abandoned=move || mark.get().way == Way::Abandoned
             class:selected=move || is_selected(app, item)
             class:going=goes
             class:changing=changes
@@ -61,6 +77,7 @@ pub(super) fn transition(app: App, source: StateId, symbol: Symbol) -> impl Into
             aria-label=label
             aria-pressed=move || is_selected(app, item).to_string()
             data-transition=data
+            data-age=move || live::age_of(mark.get())
             on:focus=move |_| if let Some(place) = place() { reveal(app, place) }
             on:click=move |event| pick(app, item, event.shift_key() || event.ctrl_key() || event.meta_key())
             on:keydown=move |event| press(app, &event, item)
