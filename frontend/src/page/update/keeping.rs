@@ -9,6 +9,7 @@ mod recordings;
 mod saving;
 mod session;
 
+use goalgraph::history::History;
 use goalgraph::protocol::api::SpecificationEntry;
 use leptos::prelude::*;
 
@@ -53,7 +54,7 @@ impl App {
     }
 
     fn position(self) -> usize {
-        self.model.history.with_untracked(|history| history.as_ref().map_or(0, |history| history.position()))
+        self.model.history.with_untracked(|history| history.as_ref().map_or(0, History::position))
     }
 
     /// Shows a dialog, with what it needs asked for anew.
@@ -82,7 +83,9 @@ impl App {
         if ahead {
             self.keeping().lineages.update(|lineages| {
                 lineages.retain(|it| it.from <= position);
-                lineages.iter_mut().for_each(|it| it.revisions.retain(|at, _| *at <= position));
+                for lineage in lineages.iter_mut() {
+                    lineage.revisions.retain(|at, _| *at <= position);
+                }
             });
         }
     }
@@ -104,17 +107,14 @@ impl App {
     fn become_kept(self, position: usize, from: usize, kept: Kept) {
         self.keeping().lineages.update(|lineages| {
             let at = lineages.iter().rposition(|it| it.from <= position);
-            match at.filter(|at| lineages[*at].kept.id == kept.id) {
-                Some(at) => {
-                    lineages[at].revisions.insert(position, kept.revision);
-                    lineages[at].kept = kept;
-                }
-                None => {
-                    let revisions = [(position, kept.revision)].into();
-                    lineages.retain(|it| it.from != from);
-                    lineages.push(Lineage { from, kept, revisions });
-                    lineages.sort_by_key(|it| it.from);
-                }
+            if let Some(at) = at.filter(|at| lineages[*at].kept.id == kept.id) {
+                lineages[at].revisions.insert(position, kept.revision);
+                lineages[at].kept = kept;
+            } else {
+                let revisions = [(position, kept.revision)].into();
+                lineages.retain(|it| it.from != from);
+                lineages.push(Lineage { from, kept, revisions });
+                lineages.sort_by_key(|it| it.from);
             }
         });
     }

@@ -162,7 +162,7 @@ fn author_field(app: App) -> impl IntoView {
     view! {
         <label class="field">
             "Your name"
-            <input type="text" name="author" autocomplete="name" maxlength="200" prop:value=value readonly=fixed on:change=typed />
+            <input type="text" name="author" autocomplete="name" maxlength="200" prop:value=value readonly=fixed on:input=typed />
         </label>
     }
 }

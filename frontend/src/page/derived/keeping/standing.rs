@@ -3,6 +3,7 @@
 use crate::page::model::{Lineage, Server};
 
 /// What it depends on.
+#[allow(clippy::struct_excessive_bools, reason = "each is a fact of its own")]
 pub(super) struct Asked<'a> {
     /// What the work is on the server.
     pub(super) lineage: Option<&'a Lineage>,

@@ -1,6 +1,7 @@
 //! Recordings go to the server with the specification that was learned from them, and come back with it.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use goalgraph::specification::Specification;
 use js_sys::{Array, Uint8Array};
@@ -11,6 +12,7 @@ use web_sys::File;
 use super::App;
 use crate::page::model::Notice;
 use crate::page::server::{self, Failure};
+use crate::protocol::{FileContent, FileId};
 
 impl App {
     /// Gives the server the recordings of the work that it does not have. `other` is a specification that has some.
@@ -49,9 +51,10 @@ impl App {
         let number = missing.len();
         for (done, (sha256, file)) in missing.into_iter().enumerate() {
             self.keeping().uploading.set(Some((done, number)));
-            let given = match known.contains(&sha256) {
-                true => Ok(()),
-                false => server::put_demonstration(&sha256, &file).await,
+            let given = if known.contains(&sha256) {
+                Ok(())
+            } else {
+                server::put_demonstration(&sha256, &file).await
             };
             // A server that has a recording may hang up while it is sent once more: what counts is that it has it.
             let linked = server::link_demonstration(id, &sha256, &file.name()).await;
@@ -67,10 +70,9 @@ impl App {
         let outside = self.outside.get_value();
         let handles = outside.files.borrow();
         let accepted = self.derived.accepted.get_untracked();
-        let of = |(id, content): (_, std::sync::Arc<crate::protocol::FileContent>)| {
-            wanted
-                .contains(&content.sha256)
-                .then(|| Some((content.sha256.clone(), handles.get(&id)?.clone())))?
+        let of = |(id, content): (FileId, Arc<FileContent>)| {
+            let file = handles.get(&id).filter(|_| wanted.contains(&content.sha256))?;
+            Some((content.sha256.clone(), file.clone()))
         };
         accepted.into_iter().filter_map(of).collect()
     }

@@ -141,7 +141,7 @@ impl App {
     pub(super) fn choose(self, choice: Choice) {
         match choice {
             Choice::KeepMine => self.save_copy(),
-            Choice::See(head) => self.see_theirs(head),
+            Choice::See(head) => self.see_theirs(head.number),
             Choice::TakeTheirs(head) => {
                 if let Some(kept) = self.kept() {
                     self.open_revision(kept.id, Some(head.number));
@@ -150,12 +150,12 @@ impl App {
         }
     }
 
-    fn see_theirs(self, head: Revision) {
+    fn see_theirs(self, number: u64) {
         let Some((kept, mine)) = self.kept().zip(self.derived.specification.get_untracked()) else { return };
         self.show_difference();
         spawn_local(async move {
             let mine = Compared { name: "your work".to_owned(), specification: mine };
-            let theirs = self.revision_of(&kept.id, head.number).await;
+            let theirs = self.revision_of(&kept.id, number).await;
             self.compared(theirs.map(|theirs| (mine, theirs)));
         });
     }

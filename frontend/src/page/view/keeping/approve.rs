@@ -18,7 +18,7 @@ pub(super) fn approve(app: App) -> impl IntoView {
 }
 
 fn approval(app: App, signing: Signing) -> impl IntoView {
-    let number = signing.revision.number;
+    let (number, approved) = (signing.revision.number, signing.approved);
     let problems = signing.specification.check();
     let errors = problems.iter().filter(|it| it.severity == Severity::Error).count();
     let saved = format!("{} · {}", signing.revision.author, when(&signing.revision.saved_at));
@@ -29,7 +29,7 @@ fn approval(app: App, signing: Signing) -> impl IntoView {
             Some(format!("A robot must not be given this: {} to correct first.", count(errors, "error")))
         } else if here && is_changed(app) {
             Some("Save your edits first: only what is saved can be approved.".to_owned())
-        } else if signing.approved == Some(number) {
+        } else if approved == Some(number) {
             Some("This revision is approved already.".to_owned())
         } else {
             None
@@ -42,10 +42,7 @@ fn approval(app: App, signing: Signing) -> impl IntoView {
         {move || compared(app)}
         {findings(&problems)}
         {move || unsaved().then(|| save_first(app))}
-        {
-            let signing = signing.clone();
-            move || form(app, signing.clone(), Decision::Approved, reason())
-        }
+        {move || form(app, signing.clone(), Decision::Approved, reason())}
     }
 }
 

@@ -16,6 +16,8 @@ use crate::page::view::graph::paths;
 /// How much a step zooms, and how far.
 const STEP: f64 = 1.25;
 const SCALES: (f64, f64) = (0.1, 2.5);
+/// Small drawings are not blown up further than this.
+const LARGEST_FIT: f64 = 1.4;
 
 /// The drawing, once it is placed.
 pub(super) fn canvas(app: App, drawing: &Arc<Drawing>) -> impl IntoView + use<> {
@@ -62,6 +64,7 @@ fn svg(app: App, drawing: &Drawing, layout: &Layout, scale: RwSignal<Option<f64>
             class="graph difference-graph"
             class:fitted=move || scale.get().is_none()
             viewBox=view_box
+            style:max-width=move || scale.get().is_none().then(|| format!("{:.0}px", width * LARGEST_FIT))
             width=move || length(width)
             height=move || length(height)
             role="group"

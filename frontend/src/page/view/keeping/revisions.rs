@@ -37,7 +37,7 @@ pub(super) fn revisions(app: App) -> impl IntoView {
 
 fn table(app: App, ticked: RwSignal<Vec<u64>>, revisions: Vec<Revision>) -> impl IntoView {
     let kept = move || app.derived.keeping.lineage.with(|it| it.as_ref().map(|it| it.kept.clone()));
-    let row = move |revision: Revision| row(app, ticked, kept(), revision);
+    let row = move |revision: Revision| row(app, ticked, kept().as_ref(), revision);
     view! {
         <table class="revisions">
             <thead>
@@ -54,10 +54,15 @@ fn table(app: App, ticked: RwSignal<Vec<u64>>, revisions: Vec<Revision>) -> impl
     }
 }
 
-fn row(app: App, ticked: RwSignal<Vec<u64>>, kept: Option<Kept>, revision: Revision) -> impl IntoView {
+fn row(
+    app: App,
+    ticked: RwSignal<Vec<u64>>,
+    kept: Option<&Kept>,
+    revision: Revision,
+) -> impl IntoView + use<> {
     let Revision { number, name, author, message, saved_at, .. } = revision;
-    let is_approved = kept.as_ref().is_some_and(|kept| kept.approved == Some(number));
-    let is_here = kept.as_ref().is_some_and(|kept| kept.revision == number);
+    let is_approved = kept.is_some_and(|kept| kept.approved == Some(number));
+    let is_here = kept.is_some_and(|kept| kept.revision == number);
     let tick = move |event| {
         let on = event_target_checked(&event);
         ticked.update(|ticked| {

@@ -43,7 +43,7 @@ fn step(app: App, history: &History, position: usize, label: String) -> impl Int
             >
                 <span class="entry-name">{label}</span>
                 {number.map(|(number, _)| view! { <span class="tag">{format!("r{number}")}</span> })}
-                {saved.then(|| view! { <span class="tag">"saved"</span> })}
+                {(saved && number.is_none()).then(|| view! { <span class="tag">"saved"</span> })}
                 {approved.then(|| view! { <span class="tag">"approved"</span> })}
             </button>
         </li>
