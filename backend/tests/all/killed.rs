@@ -2,7 +2,6 @@
 //! half-written is seen.
 
 use std::net::SocketAddr;
-use std::path::Path;
 use std::process::Command;
 use std::sync::Mutex;
 use std::thread;

@@ -35,7 +35,9 @@ pub enum ConnectionError {
         why: String,
     },
     /// The server's certificate is not trusted.
-    #[error("{address}: the server's certificate is not trusted ({why}); name the file of its authority with --ca")]
+    #[error(
+        "{address}: the server's certificate is not trusted ({why}); name the file of its authority with --ca"
+    )]
     Untrusted {
         /// Where.
         address: String,
