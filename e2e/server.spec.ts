@@ -354,6 +354,7 @@ test("where only files are handed out, everything but the server works, without 
   try {
     const { port } = server.address() as AddressInfo;
     await page.goto(`http://127.0.0.1:${port}/`);
+    await expect(page.getByRole("tab", { name: "Demonstrations" })).toBeVisible();
     await drop(page, threeRecordings());
     await expect(page.locator("[data-state]")).toHaveCount(4);
     await expect(page.locator(".standing")).toHaveText("In this browser");

@@ -157,6 +157,8 @@ pub(crate) struct Keeping {
     pub(crate) queued: RwSignal<Option<Queued>>,
     /// How often in a row the server did not answer.
     pub(crate) attempts: RwSignal<u32>,
+    /// Whether it is asked again after a while.
+    pub(crate) asks_again: RwSignal<bool>,
     /// Whether a save is under way.
     pub(crate) saving: RwSignal<bool>,
     /// How many recordings are at the server, of how many.

@@ -19,7 +19,7 @@ pub(crate) fn start(app: App) -> impl IntoView {
                     "reads every demonstration as a word over them, and draws the automaton."
                 </p>
                 {button(app, "open")}
-                <p class="hint">"CSV or JSON, one file or many. The files stay on this computer."</p>
+                <p class="hint">"CSV or JSON, one file or many. The files stay on this computer until you save the work on a server."</p>
             </section>
             <section class="samples" aria-labelledby="samples-title">
                 <h2 id="samples-title">"Or start with a sample"</h2>

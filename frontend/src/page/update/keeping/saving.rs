@@ -115,9 +115,18 @@ impl App {
 
     /// Asks again after a while, less and less often.
     pub(super) fn retry_later(self) {
-        let attempt = self.keeping().attempts.get_untracked();
-        self.keeping().attempts.set(attempt.saturating_add(1));
-        set_timeout(move || self.retry(), pause(attempt));
+        let keeping = self.keeping();
+        if keeping.asks_again.get_untracked() {
+            return;
+        }
+        let attempt = keeping.attempts.get_untracked();
+        keeping.attempts.set(attempt.saturating_add(1));
+        keeping.asks_again.set(true);
+        let again = move || {
+            keeping.asks_again.set(false);
+            self.retry();
+        };
+        set_timeout(again, pause(attempt));
     }
 
     /// Sends what waits, once somebody is known to be there.
