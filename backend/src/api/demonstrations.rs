@@ -8,7 +8,7 @@ use axum::extract::State;
 use axum::http::header::{CONTENT_DISPOSITION, CONTENT_LENGTH, CONTENT_TYPE, ETAG};
 use axum::http::{HeaderMap, HeaderValue, StatusCode};
 use axum::response::IntoResponse;
-use futures_util::TryStreamExt;
+use futures_util::{StreamExt, TryStreamExt};
 use goalgraph::protocol::api::{DemonstrationFile, Page};
 use serde::Deserialize;
 use tokio_util::io::ReaderStream;
@@ -52,7 +52,11 @@ async fn put_demonstration(
 ) -> ApiResult<(StatusCode, Json<DemonstrationFile>)> {
     let sha256 = digest(&sha256)?;
     match api.store.demonstration(&sha256).await {
-        Ok(row) => return Ok((StatusCode::OK, Json(entries::demonstration(&row)))),
+        Ok(row) => {
+            // Browsers take an answer that comes before all of the body was read for a broken connection.
+            drain(body).await?;
+            return Ok((StatusCode::OK, Json(entries::demonstration(&row))));
+        }
         Err(StoreError::NotFound { .. }) => {}
         Err(error) => return Err(error.into()),
     }
@@ -114,6 +118,19 @@ async fn link_demonstration(
     let name = line("name", &name, limits::NAME)?;
     api.store.link_demonstration(&id, &digest(&sha256)?, &name).await?;
     Ok(StatusCode::NO_CONTENT)
+}
+
+/// Reads a body and forgets it.
+async fn drain(body: Body) -> ApiResult<()> {
+    let mut bytes = 0;
+    let mut chunks = body.into_data_stream();
+    while let Some(chunk) = chunks.next().await {
+        bytes += chunk.map_err(|error| ApiError::bad_request(error.to_string()))?.len() as u64;
+        if bytes > DEMONSTRATION_BYTES {
+            return Err(ApiError::too_large(DEMONSTRATION_BYTES));
+        }
+    }
+    Ok(())
 }
 
 /// The SHA-256 in an address, 64 lower-case hexadecimal digits.
