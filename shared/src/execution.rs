@@ -222,7 +222,7 @@ impl Execution {
 
     /// There is nothing to do: because the task may end here, or until something becomes available.
     fn rest(&mut self) {
-        if self.worth == Worth::Complete {
+        if matches!(self.worth, Worth::Complete | Worth::Improvable) {
             self.report(RunEvent::Finished);
         } else if let Some(state) = self.run.state.filter(|_| self.waits_in != self.run.state) {
             self.waits_in = Some(state);

@@ -241,6 +241,21 @@ fn after_a_pause_in_which_much_happened_it_plans_anew() {
 }
 
 #[test]
+fn what_becomes_available_in_a_pause_at_the_end_keeps_nobody_waiting() {
+    let happened =
+        [Observation::Pause, Observation::Completed(A), Observation::Available(B), Observation::Resume];
+    let expected = [
+        "1 unavailable g1",
+        "2 planned q0: g0",
+        "3 started g0",
+        "4 completed g0",
+        "5 paused",
+        "6 available g1",
+    ];
+    check(&[vec![A]], &[B], &happened, &[&expected[..], &["7 resumed", "8 finished"]].concat());
+}
+
+#[test]
 fn nothing_follows_the_end() {
     let (mut execution, _) = begin(&[vec![A]], &[]);
     assert_eq!(shown(&execution.observe(Observation::Stop)), "3 stopped");
