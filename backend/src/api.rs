@@ -1,9 +1,10 @@
 //! The JSON API below `/api/v1`. One module per resource; the OpenAPI document is made from the handlers.
 //!
-//! Modules in reading order: [`problem`] (how the API says no), [`extract`], [`limits`], [`list`], [`entries`] (what is
+//! Modules in reading order: [`problem`] (how the API says no), [`extract`], [`limits`], [`list`], [`aside`], [`entries`] (what is
 //! taken out of requests and put into answers); then the resources; [`document`] describes them.
 
 mod approvals;
+mod aside;
 mod demonstrations;
 mod document;
 mod entries;

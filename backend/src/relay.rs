@@ -41,7 +41,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use goalgraph::protocol::executor::Command;
 use goalgraph::protocol::monitor::{Answer, ExecutorView, RunView};
 use tokio::sync::{Semaphore, mpsc, oneshot};
-use tokio::time::timeout;
+use tokio::time::{Instant, timeout};
 
 use crate::store::{Page, PageRequest, RunFilter, Store};
 use counts::Counters;
@@ -66,6 +66,8 @@ pub struct Relay {
 struct Inner {
     store: Store,
     limits: RelayLimits,
+    /// When it was opened.
+    since: Instant,
     hub: Mutex<Hub>,
     offers: Offers,
     lines: Lines,

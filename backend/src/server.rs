@@ -66,9 +66,9 @@ pub fn app(assets: Assets, api: Api) -> Router {
         .route("/metrics", numbers)
         .fallback(get(file).with_state(assets))
         .layer(RequestBodyTimeoutLayer::new(BODY_PATIENCE))
-        .layer(from_fn_with_state(metrics, metrics::count))
         .layer(from_fn_with_state(access, guard))
         .layer(CatchPanicLayer::custom(|_| ApiError::broken(&"a handler panicked").into_response()))
+        .layer(from_fn_with_state(metrics, metrics::count))
         .layer(map_response_with_state(https, with_security_headers))
         .layer(around)
 }

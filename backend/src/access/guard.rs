@@ -44,12 +44,15 @@ impl Access {
 
     /// Whom a token stands for; counts wrong ones.
     pub(crate) async fn prove(&self, token: &str, address: IpAddr) -> ApiResult<Caller> {
+        if self.rates.must_wait(address) {
+            return Err(ApiError::too_many("too many wrong tokens from this address; wait a little"));
+        }
         match self.tokens.of_token(token).await? {
             Some(caller) => Ok(caller),
-            None if self.rates.take_wrong_token(address) => {
+            None => {
+                self.rates.count_wrong_token(address);
                 Err(ApiError::token_needed("this token is not known here, or was revoked"))
             }
-            None => Err(ApiError::too_many("too many wrong tokens from this address; wait a little")),
         }
     }
 

@@ -1,7 +1,10 @@
 //! How often one may ask.
 
+use std::collections::BTreeMap;
 use std::net::IpAddr;
 use std::num::NonZeroU32;
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 use governor::{DefaultKeyedRateLimiter, Quota, RateLimiter};
 
@@ -13,6 +16,8 @@ const REQUESTS_AT_ONCE: NonZeroU32 = NonZeroU32::new(2_000).expect("not zero");
 const WRONG_TOKENS: NonZeroU32 = NonZeroU32::new(1).expect("not zero");
 /// Wrong tokens that one address may show at once.
 const WRONG_TOKENS_AT_ONCE: NonZeroU32 = NonZeroU32::new(20).expect("not zero");
+/// How long an address waits that showed more.
+const WAIT: Duration = Duration::from_secs(2);
 /// So many addresses are remembered before those that have been quiet are forgotten.
 const REMEMBERED: usize = 10_000;
 
@@ -20,6 +25,8 @@ const REMEMBERED: usize = 10_000;
 pub(super) struct Rates {
     requests: DefaultKeyedRateLimiter<IpAddr>,
     wrong_tokens: DefaultKeyedRateLimiter<IpAddr>,
+    /// Until when an address that showed too many wrong tokens is not listened to.
+    waiting: Mutex<BTreeMap<IpAddr, Instant>>,
 }
 
 impl Rates {
@@ -29,6 +36,7 @@ impl Rates {
         Self {
             requests: RateLimiter::keyed(quota(REQUESTS, REQUESTS_AT_ONCE)),
             wrong_tokens: RateLimiter::keyed(quota(WRONG_TOKENS, WRONG_TOKENS_AT_ONCE)),
+            waiting: Mutex::default(),
         }
     }
 
@@ -37,9 +45,21 @@ impl Rates {
         allowed(&self.requests, address)
     }
 
-    /// Counts a wrong token; whether another may be tried.
-    pub(super) fn take_wrong_token(&self, address: IpAddr) -> bool {
-        allowed(&self.wrong_tokens, address)
+    /// Counts a wrong token.
+    pub(super) fn count_wrong_token(&self, address: IpAddr) {
+        if !allowed(&self.wrong_tokens, address) {
+            let mut waiting = self.waiting.lock().unwrap_or_else(PoisonError::into_inner);
+            if waiting.len() >= REMEMBERED {
+                waiting.retain(|_, until| *until > Instant::now());
+            }
+            waiting.insert(address, Instant::now() + WAIT);
+        }
+    }
+
+    /// Whether the address showed too many wrong tokens just now: what it shows is not even looked at, as that takes time.
+    pub(super) fn must_wait(&self, address: IpAddr) -> bool {
+        let waiting = self.waiting.lock().unwrap_or_else(PoisonError::into_inner);
+        waiting.get(&address).is_some_and(|until| *until > Instant::now())
     }
 }
 
@@ -58,8 +78,9 @@ mod tests {
     fn one_address_is_bounded_and_another_is_not() {
         let rates = Rates::new();
         let [one, other] = [[10, 0, 0, 1], [10, 0, 0, 2]].map(IpAddr::from);
-        let taken = (0..1_000).filter(|_| rates.take_wrong_token(one)).count();
-        assert!((20..500).contains(&taken), "{taken}");
-        assert!(rates.take_wrong_token(other));
+        let counted =
+            (0..1_000).take_while(|_| !rates.must_wait(one)).map(|_| rates.count_wrong_token(one)).count();
+        assert!((20..500).contains(&counted), "{counted}");
+        assert!(!rates.must_wait(other));
     }
 }

@@ -1,6 +1,5 @@
 //! Revoked tokens end the connections that were opened with them.
 
-use std::collections::BTreeSet;
 use std::time::Duration;
 
 use crate::relay::Relay;
@@ -11,15 +10,12 @@ const PAUSE: Duration = Duration::from_secs(2);
 
 /// Looks for revoked tokens for as long as the program runs.
 pub async fn end_revoked(store: Store, relay: Relay) {
-    let mut ended = BTreeSet::new();
     loop {
         match store.tokens().await {
             Ok(tokens) => {
-                for token in tokens.into_iter().filter(|token| token.revoked_at_ms.is_some()) {
-                    if !ended.contains(&token.id) {
-                        relay.disconnect_token(&token.id);
-                        ended.insert(token.id);
-                    }
+                // Every time: a connection may have been on its way when the token was revoked.
+                for token in tokens.iter().filter(|token| token.revoked_at_ms.is_some()) {
+                    relay.disconnect_token(&token.id);
                 }
             }
             Err(error) => tracing::warn!(%error, "revoked tokens cannot be looked for; trying again"),

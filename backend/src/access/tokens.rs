@@ -1,7 +1,7 @@
 //! Which tokens and sessions are known.
 
 use std::collections::BTreeMap;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use sha2::{Digest, Sha256};
 use tokio::sync::Semaphore;
@@ -25,7 +25,7 @@ const REMEMBERED: usize = 1_000;
 /// The tokens of a store, with those that were proven lately.
 pub(super) struct Tokens {
     store: Store,
-    turns: Semaphore,
+    turns: Arc<Semaphore>,
     /// SHA-256 of what was shown and the hash that it was proven against: proving takes long, on purpose.
     proven: Mutex<BTreeMap<[u8; 32], String>>,
 }
@@ -33,7 +33,7 @@ pub(super) struct Tokens {
 impl Tokens {
     /// The tokens of `store`.
     pub(super) fn of(store: Store) -> Self {
-        Self { store, turns: Semaphore::new(PROVEN_AT_ONCE), proven: Mutex::default() }
+        Self { store, turns: Arc::new(Semaphore::new(PROVEN_AT_ONCE)), proven: Mutex::default() }
     }
 
     /// Whom the token `shown` stands for; none when it is no token of this server, or was revoked.
@@ -73,11 +73,16 @@ impl Tokens {
         {
             return true;
         }
-        let Ok(_turn) = self.turns.acquire().await else {
+        let Ok(turn) = Arc::clone(&self.turns).acquire_owned().await else {
             return false;
         };
         let expected = hash.to_owned();
-        let is_right = spawn_blocking(move || token.verify(&expected)).await.unwrap_or(false);
+        // The turn goes on for as long as the work does, also when nobody waits for it any more.
+        let prove = move || {
+            let _turn = turn;
+            token.verify(&expected)
+        };
+        let is_right = spawn_blocking(prove).await.unwrap_or(false);
         if is_right {
             let mut proven = self.proven.lock().unwrap_or_else(PoisonError::into_inner);
             if proven.len() >= REMEMBERED {

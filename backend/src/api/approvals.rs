@@ -4,10 +4,11 @@ use axum::Json;
 use axum::extract::State;
 use axum::http::StatusCode;
 use goalgraph::protocol::api::{Approval, Page, Signature};
-use goalgraph::specification::{Severity, Specification};
+use goalgraph::specification::Specification;
 use serde::Deserialize;
 use utoipa::IntoParams;
 
+use super::aside::aside;
 use super::extract::{Body, PathParts, QueryParts};
 use super::limits::{self, line, lines};
 use super::list::ListQuery;
@@ -38,16 +39,20 @@ async fn approve_revision(
     PathParts((id, number)): PathParts<(String, u64)>,
     Body(signature): Body<Signature>,
 ) -> ApiResult<(StatusCode, Json<Approval>)> {
-    refuse_faulty(&api.store.content(&id, number).await?)?;
+    refuse_faulty(api.store.content(&id, number).await?).await?;
     let new = NewApproval {
         revision: number,
         sha256_seen: signature.sha256.clone(),
         expected_approved: signature.instead_of,
         signature: signed(&caller, &signature)?,
     };
-    let row = api.store.approve(&id, new).await?;
-    tracing::info!(specification = id, revision = number, who = row.who, "approved");
-    api.relay.approval_changed(&id).await;
+    let row = whole(async move {
+        let row = api.store.approve(&id, new).await?;
+        tracing::info!(specification = id, revision = number, who = row.who, "approved");
+        api.relay.approval_changed(&id).await;
+        Ok(row)
+    })
+    .await?;
     Ok((StatusCode::CREATED, Json(entries::approval(&row))))
 }
 
@@ -61,9 +66,14 @@ async fn revoke_revision(
     PathParts((id, number)): PathParts<(String, u64)>,
     Body(signature): Body<Signature>,
 ) -> ApiResult<(StatusCode, Json<Approval>)> {
-    let row = api.store.revoke(&id, number, signed(&caller, &signature)?).await?;
-    tracing::info!(specification = id, revision = number, who = row.who, "revoked");
-    api.relay.approval_changed(&id).await;
+    let signature = signed(&caller, &signature)?;
+    let row = whole(async move {
+        let row = api.store.revoke(&id, number, signature).await?;
+        tracing::info!(specification = id, revision = number, who = row.who, "revoked");
+        api.relay.approval_changed(&id).await;
+        Ok(row)
+    })
+    .await?;
     Ok((StatusCode::CREATED, Json(entries::approval(&row))))
 }
 
@@ -106,12 +116,17 @@ async fn read_approved(
     Ok(Json(entries::approval(&row)))
 }
 
+/// Does all of a task also when the client leaves in the middle: what is in the journal must reach the robots.
+async fn whole<T: Send + 'static>(task: impl Future<Output = ApiResult<T>> + Send + 'static) -> ApiResult<T> {
+    tokio::spawn(task).await.unwrap_or_else(|error| Err(ApiError::broken(&error)))
+}
+
 /// Refuses a specification that has errors.
-fn refuse_faulty(content: &str) -> ApiResult<()> {
-    let specification = Specification::from_json(content).map_err(|error| ApiError::broken(&error))?;
-    let errors = specification.check().into_iter().filter(|problem| problem.severity == Severity::Error);
+async fn refuse_faulty(content: String) -> ApiResult<()> {
+    let errors = move || Specification::from_json(&content).map(|specification| specification.errors());
+    let errors = aside(errors).await?.map_err(|error| ApiError::broken(&error))?;
     let findings: Vec<String> =
-        errors.map(|problem| format!("{}: {}", problem.place(), problem.message)).collect();
+        errors.iter().map(|problem| format!("{}: {}", problem.place(), problem.message)).collect();
     if findings.is_empty() { Ok(()) } else { Err(ApiError::faulty(findings)) }
 }
 

@@ -51,13 +51,14 @@ async fn put_demonstration(
     body: Body,
 ) -> ApiResult<(StatusCode, Json<DemonstrationFile>)> {
     let sha256 = digest(&sha256)?;
-    match api.store.demonstration(&sha256).await {
-        Ok(row) => {
+    match api.store.open_demonstration(&sha256).await {
+        Ok((row, _)) => {
             // Browsers take an answer that comes before all of the body was read for a broken connection.
             drain(body).await?;
             return Ok((StatusCode::OK, Json(entries::demonstration(&row))));
         }
-        Err(StoreError::NotFound { .. }) => {}
+        // A file that is gone or damaged is stored again.
+        Err(StoreError::NotFound { .. } | StoreError::Corrupt(_)) => {}
         Err(error) => return Err(error.into()),
     }
     let length = headers.get(CONTENT_LENGTH).and_then(|value| value.to_str().ok()?.parse::<u64>().ok());

@@ -46,6 +46,9 @@ impl<T: DeserializeOwned + Send, S: Send + Sync> FromRequestParts<S> for PathPar
 
     async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, ApiError> {
         let path = parts.uri.path().to_owned();
+        if path.contains("%00") {
+            return Err(ApiError::not_found("no name holds a NUL character"));
+        }
         match Path::from_request_parts(parts, state).await {
             Ok(Path(values)) => Ok(Self(values)),
             Err(rejection) => {
@@ -62,6 +65,9 @@ impl<T: DeserializeOwned, S: Send + Sync> FromRequestParts<S> for QueryParts<T> 
     type Rejection = ApiError;
 
     async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, ApiError> {
+        if parts.uri.query().is_some_and(|query| query.contains("%00")) {
+            return Err(ApiError::bad_request("the query holds a NUL character"));
+        }
         match Query::from_request_parts(parts, state).await {
             Ok(Query(values)) => Ok(Self(values)),
             Err(rejection) => Err(ApiError::bad_request(rejection.body_text())),

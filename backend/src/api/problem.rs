@@ -160,7 +160,9 @@ impl ApiError {
                 error.0.approved = approved;
                 error
             }
-            Conflict::OtherContent(_) | Conflict::Run(_) => Self::conflict(conflict.to_string()),
+            Conflict::OtherContent(_) | Conflict::StillApproved(_) | Conflict::Run(_) => {
+                Self::conflict(conflict.to_string())
+            }
         }
     }
 }

@@ -4,7 +4,7 @@ use std::net::SocketAddr;
 use std::sync::Arc;
 
 use axum::Json;
-use axum::extract::{ConnectInfo, State};
+use axum::extract::{ConnectInfo, DefaultBodyLimit, State};
 use axum::http::StatusCode;
 use axum_extra::extract::CookieJar;
 use axum_extra::extract::cookie::{Cookie, SameSite};
@@ -22,9 +22,13 @@ use utoipa_axum::routes;
 
 /// The addresses of this module.
 pub(super) fn routes() -> OpenApiRouter<Api> {
-    OpenApiRouter::new().routes(routes!(read_session, open_session, close_session))
+    // Whoever has no token yet may send no more than one.
+    let longest = DefaultBodyLimit::max(TOKEN_BYTES);
+    OpenApiRouter::new().routes(routes!(read_session, open_session, close_session)).layer(longest)
 }
 
+/// Longest body of a login, in bytes.
+const TOKEN_BYTES: usize = 4 << 10;
 const HOUR_MS: i64 = 3_600_000;
 
 /// Who asks, and what they may do.

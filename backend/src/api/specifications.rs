@@ -8,6 +8,7 @@ use axum::response::IntoResponse;
 use goalgraph::protocol::api::{Page, Save, SpecificationEntry};
 use goalgraph::specification::Specification;
 
+use super::aside::aside;
 use super::extract::{Body, IfMatch, PathParts, QueryParts};
 use super::limits::{self, line, lines};
 use super::list::ListQuery;
@@ -47,7 +48,7 @@ async fn create_specification(
     caller: Caller,
     Body(save): Body<Save>,
 ) -> ApiResult<impl IntoResponse> {
-    let row = api.store.create(new_revision(&caller, save)?).await?;
+    let row = api.store.create(new_revision(&caller, save).await?).await?;
     let location = HeaderValue::try_from(format!("/api/v1/specifications/{}", row.id))
         .map_err(|error| ApiError::broken(&error))?;
     let location: [(HeaderName, HeaderValue); 1] = [(LOCATION, location)];
@@ -76,8 +77,12 @@ async fn save_specification(
     Body(save): Body<Save>,
 ) -> ApiResult<impl IntoResponse> {
     let head = known_head(&api, &id, &known).await?;
-    api.store.save(&id, head, new_revision(&caller, save)?).await?;
-    Ok(answer(&api.store.specification(&id).await?))
+    let saved = api.store.save(&id, head, new_revision(&caller, save).await?).await?;
+    // What is approved may have changed meanwhile; what was saved is what this answer is about.
+    let approved = api.store.specification(&id).await.ok().and_then(|row| row.approved());
+    let entry =
+        SpecificationEntry { id, name: saved.name.clone(), head: entries::revision(&saved), approved };
+    Ok((entries::etag_header(saved.number, &saved.sha256), Json(entry)))
 }
 
 /// Hides a specification. An approved one must be revoked before.
@@ -88,12 +93,8 @@ async fn delete_specification(
     PathParts(id): PathParts<String>,
     known: IfMatch,
 ) -> ApiResult<StatusCode> {
-    known_head(&api, &id, &known).await?;
-    if let Some(approved) = api.store.specification(&id).await?.approved() {
-        let detail = format!("revision {approved} is approved and may be with a robot; revoke it first");
-        return Err(ApiError::conflict(detail));
-    }
-    api.store.delete(&id).await?;
+    let head = known_head(&api, &id, &known).await?;
+    api.store.delete(&id, head).await?;
     Ok(StatusCode::NO_CONTENT)
 }
 
@@ -111,16 +112,17 @@ async fn known_head(api: &Api, id: &str, known: &IfMatch) -> ApiResult<u64> {
 }
 
 /// What is saved, in its canonical form.
-fn new_revision(caller: &Caller, save: Save) -> ApiResult<NewRevision> {
-    let specification = Specification::from_json(&save.content)
-        .map_err(|error| ApiError::invalid(format!("content: {error}")))?;
+async fn new_revision(caller: &Caller, save: Save) -> ApiResult<NewRevision> {
+    let read = move || Specification::from_json(&save.content).map(|it| (it.to_json(), it.name));
+    let (content, name) =
+        aside(read).await?.map_err(|error| ApiError::invalid(format!("content: {error}")))?;
     if save.positions.as_ref().is_some_and(|positions| !positions.is_object()) {
         return Err(ApiError::invalid("positions: expected an object, or null"));
     }
     let author = caller.signs_as(save.author.as_deref()).unwrap_or("somebody").to_owned();
     Ok(NewRevision {
-        content: specification.to_json(),
-        name: line("name", &specification.name, usize::MAX)?,
+        content,
+        name: line("name", &name, usize::MAX)?,
         author: line("author", &author, limits::NAME)?,
         message: lines("message", &save.message)?,
         saved_at_ms: clock::now_ms(),

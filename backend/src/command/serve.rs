@@ -95,7 +95,6 @@ async fn serve(arguments: &Arguments, addresses: &[SocketAddr]) -> Result<(), Fa
     let store = Store::open(&location, StoreOptions::default())
         .await
         .map_err(|error| Failure::input(format!("{location}: {error}")))?;
-    store.remove_abandoned_uploads().await.map_err(|error| Failure::input(error.to_string()))?;
     let settings = access(arguments, addresses, &store).await?;
     let relay = Relay::open(store.clone(), RelayLimits::default())
         .await
@@ -107,13 +106,19 @@ async fn serve(arguments: &Arguments, addresses: &[SocketAddr]) -> Result<(), Fa
         BindError::Address(error) => failure(error),
         BindError::Certificate(_) => Failure::input(error.to_string()),
     })?;
+    // Not before it is known that no other server is at work here.
+    store.remove_abandoned_uploads().await.map_err(|error| Failure::input(error.to_string()))?;
     announce(listening.address().map_err(failure)?, tls.is_some());
     let access = Arc::new(Access::new(settings, store.clone()));
     tokio::spawn(end_revoked(store.clone(), relay.clone()));
     let api = Api { store: store.clone(), relay: relay.clone(), access };
     let handle = Handle::new();
-    tokio::spawn(stop_gracefully(stop, relay, handle.clone()));
+    let stopping = tokio::spawn(stop_gracefully(stop, relay, handle.clone()));
     let served = listening.serve(app(embedded, api), handle).await.map_err(failure);
+    if served.is_ok() {
+        // Sockets outlive the connections that they came by; what they sent is stored first. It cannot fail.
+        let _ = stopping.await;
+    }
     store.close().await;
     served
 }

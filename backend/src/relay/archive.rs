@@ -23,7 +23,7 @@ pub(super) async fn revision(
     specification: &str,
     revision: u64,
 ) -> Result<(String, Arc<Automaton>), RelayError> {
-    let content = store.content(specification, revision).await?;
+    let content = store.kept_content(specification, revision).await?;
     // A large specification takes long enough to parse to keep other connections waiting.
     let parsing = tokio::task::spawn_blocking(move || {
         let parsed = Specification::from_json(&content).map(Automaton::of);

@@ -73,9 +73,13 @@ fn may_go_on(relay: &Inner, asked: &Begin) -> Result<Option<(String, u64)>, ToEx
     if run.run.phase.is_over() {
         return Err(denied(&asked.run, Denial::Over));
     }
-    let is_held = run.lease.as_ref().is_some_and(|lease| {
-        lease.executor != asked.asker.executor && lease.presence.is_live(relay.limits.lease)
-    });
+    // An executor counts from when it last heard, which may be as much later as an answer took.
+    let lasting = relay.limits.lease * 2;
+    let is_held = match &run.lease {
+        Some(lease) => lease.executor != asked.asker.executor && lease.presence.is_live(lasting),
+        // Whoever held it before the server was started again may still be at work.
+        None => run.origin.executor != asked.asker.executor && relay.since.elapsed() < lasting,
+    };
     if is_held {
         return Err(denied(&asked.run, Denial::Held));
     }

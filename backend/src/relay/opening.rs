@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex};
 
 use goalgraph::protocol::monitor::ApprovedView;
 use tokio::sync::{Semaphore, mpsc};
+use tokio::time::Instant;
 
 use super::counts::Counters;
 use super::hub::Hub;
@@ -29,6 +30,7 @@ impl Relay {
         let (jobs, waiting) = mpsc::channel(writer::QUEUE);
         let inner = Arc::new(Inner {
             store,
+            since: Instant::now(),
             hub: Mutex::new(hub),
             offers: Offers::default(),
             lines: Lines::new(),

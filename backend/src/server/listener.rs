@@ -93,7 +93,8 @@ impl Listening {
     pub async fn serve(self, app: Router, handle: Handle<SocketAddr>) -> io::Result<()> {
         let service = app.into_make_service_with_connect_info::<SocketAddr>();
         let plain = Bounded::new(NoDelayAcceptor::new());
-        let mut server = axum_server::from_tcp(self.listener)?.handle(handle);
+        // Only of this version is the time bounded in which a client says what it wants.
+        let mut server = axum_server::from_tcp(self.listener)?.handle(handle).http1_only();
         server.http_builder().http1().timer(TokioTimer::new()).header_read_timeout(HEAD_TIMEOUT);
         match self.tls {
             None => server.acceptor(plain).serve(service).await,

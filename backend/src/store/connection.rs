@@ -94,6 +94,7 @@ pub(super) async fn open(
     migrate(&database, &greeting, files).await?;
     let pool = AnyPoolOptions::new()
         .max_connections(backend.max_connections())
+        .acquire_timeout(options.busy_timeout.max(std::time::Duration::from_secs(1)))
         .after_connect(move |connection, _| {
             let greeting = greeting.clone();
             Box::pin(async move { greet(connection, greeting).await })

@@ -28,7 +28,7 @@ pub enum StoreError {
     #[error("there is no space left for the database, so nothing was stored; free some on its disk")]
     Full,
     /// Another program kept the database locked for longer than the store waits.
-    #[error("the database is locked by another program, so nothing was stored; try again")]
+    #[error("the database is locked or away, so nothing was stored; try again")]
     Busy,
     /// What was stored is not what is there: its place, and what is wrong.
     #[error("damaged: {0}")]
@@ -80,6 +80,9 @@ pub enum Conflict {
     /// The content that was looked at is not that of the revision.
     #[error("revision {} has the SHA-256 {}, which is not the one that was looked at", .0.number, .0.sha256)]
     OtherContent(RevisionRow),
+    /// A revision is approved: its number.
+    #[error("revision {0} is approved and may be with a robot; revoke it first")]
+    StillApproved(u64),
     /// A run of this id exists, of other fields.
     #[error("there is another run {} of {}", .0.id, .0.executor)]
     Run(RunRow),
@@ -125,7 +128,8 @@ impl From<Conflict> for StoreError {
 impl From<sqlx::Error> for StoreError {
     fn from(error: sqlx::Error) -> Self {
         match &error {
-            sqlx::Error::PoolTimedOut => Self::Busy,
+            // A database that is away is asked again, as one that is locked.
+            sqlx::Error::PoolTimedOut | sqlx::Error::PoolClosed | sqlx::Error::Io(_) => Self::Busy,
             sqlx::Error::Database(database) => {
                 of_database(database.as_ref()).unwrap_or(Self::Database(error))
             }
@@ -153,7 +157,7 @@ fn of_database(error: &dyn DatabaseError) -> Option<StoreError> {
     // https://www.postgresql.org/docs/current/errcodes-appendix.html
     match code.as_ref() {
         "53100" => Some(StoreError::Full),
-        "55P03" | "40001" | "40P01" | "53300" => Some(StoreError::Busy),
+        "55P03" | "40001" | "40P01" | "53300" | "57P01" | "57P02" | "57P03" => Some(StoreError::Busy),
         "XX001" | "XX002" => Some(StoreError::Corrupt(format!("the database: {}", error.message()))),
         _ => None,
     }

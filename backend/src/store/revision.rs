@@ -92,14 +92,19 @@ impl Store {
     /// [`StoreError::NotFound`]; [`StoreError::Corrupt`] when the content is not what was saved; when the database
     /// fails.
     pub async fn content(&self, id: &str, number: u64) -> Result<String, StoreError> {
-        let row: Option<(String, String)> = sqlx::query_as(
-            "SELECT r.content, r.sha256 FROM revisions r JOIN specifications s ON s.id = r.specification \
-             WHERE s.deleted = 0 AND r.specification = $1 AND r.number = $2",
-        )
-        .bind(id)
-        .bind(stored_number(number))
-        .fetch_optional(&self.pool)
-        .await?;
+        self.revision(id, number).await?;
+        self.kept_content(id, number).await
+    }
+
+    /// As [`content`](Self::content), also of a specification that was deleted: runs of it go on.
+    ///
+    /// # Errors
+    ///
+    /// As [`content`](Self::content).
+    pub async fn kept_content(&self, id: &str, number: u64) -> Result<String, StoreError> {
+        let query = "SELECT content, sha256 FROM revisions WHERE specification = $1 AND number = $2";
+        let query = sqlx::query_as(query).bind(id).bind(stored_number(number));
+        let row: Option<(String, String)> = query.fetch_optional(&self.pool).await?;
         let (content, sha256) = row.ok_or_else(|| not_found(id, number))?;
         match fault_of_content(id, number, &content, &sha256) {
             None => Ok(content),

@@ -140,19 +140,23 @@ impl Store {
         Ok(row)
     }
 
-    /// Hides a specification with its revisions and approvals. Nothing of it is lost.
+    /// Hides a specification, whose newest revision is `head`, with its revisions and approvals. Nothing of it is lost.
     ///
     /// # Errors
     ///
-    /// [`StoreError::NotFound`]; when the database fails.
-    pub async fn delete(&self, id: &str) -> Result<(), StoreError> {
+    /// [`Conflict::Saved`] when `head` is not the newest revision (any more), [`Conflict::StillApproved`] while one is
+    /// approved; [`StoreError::NotFound`]; when the database fails.
+    pub async fn delete(&self, id: &str, head: u64) -> Result<(), StoreError> {
         let mut writing = self.write().await?;
-        let deleted = sqlx::query("UPDATE specifications SET deleted = 1 WHERE id = $1 AND deleted = 0")
-            .bind(id)
-            .execute(writing.connection())
-            .await?;
+        let deleted = sqlx::query(
+            "UPDATE specifications SET deleted = 1 WHERE id = $1 AND head = $2 AND approved = 0 AND deleted = 0",
+        )
+        .bind(id)
+        .bind(stored_number(head))
+        .execute(writing.connection())
+        .await?;
         if deleted.rows_affected() == 0 {
-            return Err(StoreError::not_found("specification", id));
+            return Err(why_not_deleted(&mut writing, id, head).await?);
         }
         writing.commit().await
     }
@@ -165,6 +169,14 @@ pub(super) async fn select_specification(
 ) -> Result<Option<SpecificationRow>, StoreError> {
     let query = sqlx::query_as::<Any, SpecificationRow>(select!("s.id = $1")).bind(id);
     Ok(query.fetch_optional(writing.connection()).await?)
+}
+
+async fn why_not_deleted(writing: &mut Writing, id: &str, head: u64) -> Result<StoreError, StoreError> {
+    let row = select_specification(writing, id).await?;
+    match row.filter(|row| row.head == head).and_then(|row| row.approved()) {
+        Some(approved) => Ok(Conflict::StillApproved(approved).into()),
+        None => why_not_saved(writing, id).await,
+    }
 }
 
 async fn why_not_saved(writing: &mut Writing, id: &str) -> Result<StoreError, StoreError> {

@@ -94,7 +94,7 @@ fn every_reason_and_close_code_is_in_the_document() {
             assert!(text.contains(&format!("\n| `{name}` | ")), "{definition}: {name}");
         }
     }
-    for code in [close::REPLACED, close::REVOKED, close::SILENT, close::PROTOCOL, close::SLOW] {
+    for code in [close::REPLACED, close::REVOKED, close::SILENT, close::PROTOCOL] {
         assert!(text.contains(&format!("\n| {code} | ")), "{code}");
     }
 }

@@ -15,5 +15,6 @@ mod program;
 mod relay;
 mod schema;
 mod serve;
+mod stopped;
 mod store;
 mod support;

@@ -213,6 +213,4 @@ pub mod close {
     pub const SILENT: u16 = 4002;
     /// A message could not be understood, or came out of turn.
     pub const PROTOCOL: u16 = 4003;
-    /// The executor does not read what the server sends.
-    pub const SLOW: u16 = 4004;
 }

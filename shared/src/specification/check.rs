@@ -9,6 +9,17 @@ use super::Specification;
 pub use problem::{Place, Problem, ProblemKind, Severity};
 
 impl Specification {
+    /// The errors of [`check`](Self::check) alone: what keeps a robot from being given this.
+    ///
+    /// # Complexity
+    ///
+    /// O(Q + T) for Q states and T transitions.
+    pub fn errors(&self) -> Vec<Problem> {
+        let mut problems = automaton::Automaton::new(self).state_problems();
+        problems.retain(|problem| problem.severity == Severity::Error);
+        problems
+    }
+
     /// All problems, errors first, each group in the order of states, transitions and sub-goals, cycles last.
     ///
     /// Errors: nothing is accepted, a state cannot be reached, or is a dead end: no word ends there or further on.

@@ -92,10 +92,12 @@ fn metrics_count_what_was_answered() {
     let server = Server::start();
     server.get("/api/v1/health").expect(200);
     server.get("/api/v1/specifications/nothing").expect(404);
+    server.request("GET", "/", &[("host", "evil.example")]).expect(421);
     let text = server.get("/metrics").expect(200).text();
     for line in [
         "goalgraph_http_requests_total{method=\"GET\",route=\"/api/v1/health\",status=\"200\"} 1",
         "goalgraph_http_requests_total{method=\"GET\",route=\"/api/v1/specifications/{id}\",status=\"404\"} 1",
+        "goalgraph_http_requests_total{method=\"GET\",route=\"file\",status=\"421\"} 1",
         "goalgraph_executors_connected 0",
         "# EOF",
     ] {

@@ -90,7 +90,7 @@ async fn what_was_not_looked_at_is_not_approved(place: Arc<Place>) {
     }
     let error = store.approve(&id, new(1, &head.sha256, Some(1))).await.unwrap_err();
     assert_eq!(error.to_string(), "no revision is approved");
-    store.delete(&id).await.unwrap();
+    store.delete(&id, 1).await.unwrap();
     let error = store.approve(&id, new(1, &head.sha256, None)).await.unwrap_err();
     assert!(matches!(error, StoreError::NotFound { what: "specification", .. }), "{error}");
     assert_eq!(store.verify().await.unwrap().approvals, 0);
@@ -143,7 +143,10 @@ async fn the_latest_approval_of_the_server_is_the_last_that_holds(place: Arc<Pla
     assert_eq!(latest().await.as_ref(), Some(&ids[2]));
     store.revoke(&ids[2], 1, signature("Ada", 50)).await.unwrap();
     assert_eq!(latest().await.as_ref(), Some(&ids[1]));
-    store.delete(&ids[1]).await.unwrap();
+    let refused = store.delete(&ids[1], 1).await.unwrap_err();
+    assert_eq!(refused.to_string(), "revision 1 is approved and may be with a robot; revoke it first");
+    store.revoke(&ids[1], 1, signature("Ada", 60)).await.unwrap();
+    store.delete(&ids[1], 1).await.unwrap();
     assert_eq!(latest().await.as_ref(), Some(&ids[0]));
     assert_eq!(store.approved(&ids[1]).await.unwrap(), None);
 }

@@ -38,7 +38,7 @@ async fn fill(store: &Store) -> String {
     store.create_token(token).await.unwrap();
     store.create_session("s", "t", 99).await.unwrap();
     let deleted = store.create(revision("deleted")).await.unwrap();
-    store.delete(&deleted.id).await.unwrap();
+    store.delete(&deleted.id, 1).await.unwrap();
     specification.id
 }
 

@@ -182,11 +182,16 @@ async fn a_page_is_asked_for_by_its_own_place_only(place: Arc<Place>) {
 async fn a_deleted_specification_is_hidden_and_nothing_of_it_is_lost(place: Arc<Place>) {
     let store = place.open().await;
     let id = store.create(revision("{}")).await.unwrap().id;
-    store.delete(&id).await.unwrap();
+    let later = store.delete(&id, 2).await.unwrap_err();
+    assert!(
+        matches!(later, StoreError::Conflict(_)),
+        "what was saved meanwhile is not deleted unseen: {later}"
+    );
+    store.delete(&id, 1).await.unwrap();
     let gone = format!("there is no specification {id}");
     assert_eq!(store.specification(&id).await.unwrap_err().to_string(), gone);
     assert_eq!(store.save(&id, 1, revision("2")).await.unwrap_err().to_string(), gone);
-    assert_eq!(store.delete(&id).await.unwrap_err().to_string(), gone);
+    assert_eq!(store.delete(&id, 1).await.unwrap_err().to_string(), gone);
     assert_eq!(store.revisions(&id, &PageRequest::default()).await.unwrap_err().to_string(), gone);
     assert!(matches!(store.content(&id, 1).await, Err(StoreError::NotFound { .. })));
     assert_eq!(store.specifications(&PageRequest::default()).await.unwrap().rows, []);
