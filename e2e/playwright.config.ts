@@ -49,6 +49,7 @@ export default defineConfig({
     timeout: 30_000,
     stdout: "pipe",
     stderr: "pipe",
+    env: { GOALGRAPH_LOG: "warn" },
     gracefulShutdown: { signal: "SIGTERM", timeout: 5_000 },
   },
 });

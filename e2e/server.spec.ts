@@ -38,6 +38,11 @@ async function save(page: Page, revision: number): Promise<void> {
   await expect(status(page)).toHaveText(`Saved as revision ${revision}.`);
 }
 
+/** Waits until the browser has kept what was done last, a quarter of a second later. */
+async function kept(page: Page): Promise<void> {
+  await page.waitForTimeout(1000);
+}
+
 /** Opens a specification of the server by its name. */
 async function openFromServer(page: Page, name: string): Promise<void> {
   await page.keyboard.press("Control+o");
@@ -102,6 +107,7 @@ test("work that was saved is there after a reload and in another browser, with i
   await expect(standing(page)).toHaveText("r1, changed");
   await page.keyboard.press("Control+z");
   await expect(standing(page), "what was undone is no change").toHaveText("r1");
+  await kept(page);
   await page.reload();
   await expect(page.getByLabel("Task name")).toHaveValue(name);
   await expect(standing(page)).toHaveText("r1");
@@ -299,6 +305,7 @@ test("a save without a connection waits, over a reload too, and arrives", async 
   await page.keyboard.press("Control+s");
   await expect(page.locator(".banner")).toBeVisible();
   await expect.poll(() => work(page), "what waits is kept").toContain('"queued":{');
+  await kept(page);
   await page.reload();
   await expect(page.locator(".banner")).toBeVisible();
   await page.unroute("**/api/v1/**");
@@ -360,6 +367,7 @@ test("where only files are handed out, everything but the server works, without 
     await expect(page.locator(".standing")).toHaveText("In this browser");
     const [saved] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
     expect(saved.suggestedFilename()).toMatch(/\.goalgraph\.json$/);
+    await kept(page);
     await page.reload();
     await expect(page.locator("[data-state]")).toHaveCount(4);
   } finally {

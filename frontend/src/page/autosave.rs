@@ -171,6 +171,12 @@ pub(crate) fn bring_back(app: App, LetGo { work, files }: LetGo) {
 /// Keeps every change from now on.
 fn watch(app: App, store: Rc<Store>) {
     let waiting = Rc::new(RefCell::new(None::<TimeoutHandle>));
+    let leaving = {
+        let (store, waiting) = (Rc::clone(&store), Rc::clone(&waiting));
+        move |_| keep_now(app, &store, &waiting)
+    };
+    // For as long as the page is there.
+    window_event_listener_untyped("pagehide", leaving);
     Effect::new(move |before: Option<()>| {
         app.model.history.track();
         app.model.held.track();
@@ -179,16 +185,25 @@ fn watch(app: App, store: Rc<Store>) {
         app.model.task_name.track();
         app.model.keeping.lineages.track();
         app.model.keeping.queued.track();
-        if before.is_none() {
+        // What is on its way to be kept is kept as it is then, so one timer is enough, and nothing puts it off.
+        if before.is_none() || waiting.borrow().is_some() {
             return;
         }
-        if let Some(handle) = waiting.take() {
-            handle.clear();
-        }
-        let store = Rc::clone(&store);
-        let keep = move || spawn_local(async move { keep(app, &store).await });
-        *waiting.borrow_mut() = set_timeout_with_handle(keep, DELAY).ok();
+        let later = {
+            let (store, waiting) = (Rc::clone(&store), Rc::clone(&waiting));
+            move || keep_now(app, &store, &waiting)
+        };
+        *waiting.borrow_mut() = set_timeout_with_handle(later, DELAY).ok();
     });
+}
+
+/// Keeps what is waiting to be kept.
+fn keep_now(app: App, store: &Rc<Store>, waiting: &RefCell<Option<TimeoutHandle>>) {
+    if let Some(handle) = waiting.take() {
+        handle.clear();
+        let store = Rc::clone(store);
+        spawn_local(async move { keep(app, &store).await });
+    }
 }
 
 async fn keep(app: App, store: &Store) {
