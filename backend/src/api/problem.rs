@@ -177,6 +177,9 @@ impl From<StoreError> for ApiError {
             StoreError::Busy => Self::busy(detail),
             StoreError::TooLarge { limit_bytes } => Self::too_large(limit_bytes),
             StoreError::Invalid(_) => Self::invalid(detail),
+            _ if error.is_away() => {
+                Self::busy("the database cannot be reached, so nothing was stored; try again")
+            }
             _ => Self::broken(&detail),
         }
     }

@@ -28,7 +28,7 @@ pub enum StoreError {
     #[error("there is no space left for the database, so nothing was stored; free some on its disk")]
     Full,
     /// Another program kept the database locked for longer than the store waits.
-    #[error("the database is locked or away, so nothing was stored; try again")]
+    #[error("the database is locked by another program, so nothing was stored; try again")]
     Busy,
     /// What was stored is not what is there: its place, and what is wrong.
     #[error("damaged: {0}")]
@@ -96,6 +96,11 @@ fn approval_sentence(last: Option<&ApprovalRow>) -> String {
 }
 
 impl StoreError {
+    /// Whether the database cannot be reached at the moment.
+    pub fn is_away(&self) -> bool {
+        matches!(self, Self::Database(sqlx::Error::Io(_) | sqlx::Error::PoolClosed))
+    }
+
     /// Nothing has this id.
     pub(super) fn not_found(what: &'static str, id: impl Into<String>) -> Self {
         Self::NotFound { what, id: id.into() }
@@ -128,8 +133,7 @@ impl From<Conflict> for StoreError {
 impl From<sqlx::Error> for StoreError {
     fn from(error: sqlx::Error) -> Self {
         match &error {
-            // A database that is away is asked again, as one that is locked.
-            sqlx::Error::PoolTimedOut | sqlx::Error::PoolClosed | sqlx::Error::Io(_) => Self::Busy,
+            sqlx::Error::PoolTimedOut => Self::Busy,
             sqlx::Error::Database(database) => {
                 of_database(database.as_ref()).unwrap_or(Self::Database(error))
             }
