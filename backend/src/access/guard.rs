@@ -47,13 +47,11 @@ impl Access {
         if self.rates.must_wait(address) {
             return Err(ApiError::too_many("too many wrong tokens from this address; wait a little"));
         }
-        match self.tokens.of_token(token).await? {
-            Some(caller) => Ok(caller),
-            None => {
-                self.rates.count_wrong_token(address);
-                Err(ApiError::token_needed("this token is not known here, or was revoked"))
-            }
-        }
+        let caller = self.tokens.of_token(token).await?;
+        caller.ok_or_else(|| {
+            self.rates.count_wrong_token(address);
+            ApiError::token_needed("this token is not known here, or was revoked")
+        })
     }
 
     async fn check(&self, request: &mut Request) -> ApiResult<()> {

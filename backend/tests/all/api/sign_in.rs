@@ -116,7 +116,7 @@ fn wrong_tokens_are_slowed_down() {
     assert_eq!(log_in(&server, &right).status, 429);
     let begun = Instant::now();
     while log_in(&server, &right).status == 429 {
-        assert!(begun.elapsed() < Duration::from_secs(60));
+        assert!(begun.elapsed() < Duration::from_mins(1));
         sleep(Duration::from_millis(100));
     }
     log_in(&server, &right).expect(204);
