@@ -4,7 +4,7 @@
 //! standard output, everything said about them to standard error. Nothing is written when anything is wrong.
 //!
 //! Modules in reading order: [`command`] has one module per command; [`input`] reads files, [`output`] writes them;
-//! [`progress`] tells what takes long; [`failure`] is how a command fails.
+//! [`progress`] tells what takes long; [`stop`] how the program ends; [`failure`] is how a command fails.
 
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
@@ -13,6 +13,7 @@ mod failure;
 mod input;
 mod output;
 mod progress;
+mod stop;
 
 use std::process::ExitCode;
 

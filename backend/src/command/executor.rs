@@ -1,7 +1,5 @@
 //! `goalgraph executor`: a simulated robot at a server.
 
-use std::future::Future;
-use std::io;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -11,6 +9,7 @@ use tokio::runtime::Runtime;
 
 use crate::failure::Failure;
 use crate::output;
+use crate::stop::stop_signal;
 
 /// Arguments of `goalgraph executor`.
 #[derive(Args)]
@@ -106,29 +105,5 @@ fn settings(arguments: &Arguments) -> Result<Settings, Failure> {
             regained: arguments.available_again.clone(),
             failing: arguments.fail.clone(),
         },
-    })
-}
-
-/// Ends when the program is told to stop; it is listened for from the call on.
-#[cfg(unix)]
-fn stop_signal() -> io::Result<impl Future<Output = ()> + 'static> {
-    use tokio::signal::unix::{SignalKind, signal};
-    let mut interrupt = signal(SignalKind::interrupt())?;
-    let mut terminate = signal(SignalKind::terminate())?;
-    Ok(async move {
-        tokio::select! {
-            _ = interrupt.recv() => {}
-            _ = terminate.recv() => {}
-        }
-    })
-}
-
-/// Ends when the program is told to stop.
-#[cfg(not(unix))]
-fn stop_signal() -> io::Result<impl Future<Output = ()> + 'static> {
-    Ok(async {
-        if tokio::signal::ctrl_c().await.is_err() {
-            std::future::pending::<()>().await;
-        }
     })
 }

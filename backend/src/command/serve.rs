@@ -19,6 +19,7 @@ use tracing_subscriber::EnvFilter;
 use super::store_arguments::StoreArguments;
 use crate::failure::Failure;
 use crate::output;
+use crate::stop::stop_signal;
 
 /// Arguments of `goalgraph serve`.
 #[derive(Args)]
@@ -178,28 +179,4 @@ fn announce(address: SocketAddr, encrypted: bool) {
     let scheme = if encrypted { "https" } else { "http" };
     // Without a standard output there is nobody to read it.
     let _ = output::print(&format!("Goalgraph is at {scheme}://{address}/ (Ctrl+C ends it)\n"));
-}
-
-/// Ends when the program is told to stop; it is listened for from the call on.
-#[cfg(unix)]
-fn stop_signal() -> io::Result<impl Future<Output = ()>> {
-    use tokio::signal::unix::{SignalKind, signal};
-    let mut interrupt = signal(SignalKind::interrupt())?;
-    let mut terminate = signal(SignalKind::terminate())?;
-    Ok(async move {
-        tokio::select! {
-            _ = interrupt.recv() => {}
-            _ = terminate.recv() => {}
-        }
-    })
-}
-
-/// Ends when the program is told to stop.
-#[cfg(not(unix))]
-fn stop_signal() -> io::Result<impl Future<Output = ()>> {
-    Ok(async {
-        if tokio::signal::ctrl_c().await.is_err() {
-            std::future::pending::<()>().await;
-        }
-    })
 }
