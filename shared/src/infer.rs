@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::demonstration::Demonstration;
+use crate::parallel;
 use crate::pdfa::{Pdfa, Semantics, Word};
 use crate::specification::{DemonstrationWord, Specification};
 use crate::sub_goal::{SubGoalSearch, find_sub_goals};
@@ -120,7 +121,7 @@ pub fn infer(
     let subsets =
         if request.subsets.is_empty() { propose_subsets(features) } else { request.subsets.clone() };
     check_subsets(&subsets, features)?;
-    let total = subsets.len() + 2;
+    let total = 3;
     let mut report = |stage: String, done: usize| progress(&Progress { stage, done, total });
 
     report("Looking for rests".to_owned(), 0);
@@ -128,13 +129,12 @@ pub fn infer(
         subsets.iter().map(|subset| (subset.name.as_str(), subset.features.as_slice())).collect();
     let reading = Reading::new(demonstrations, &parts, request.method);
 
-    let mut searches = Vec::new();
-    for (index, subset) in subsets.iter().enumerate() {
-        report(format!("Clustering {}", subset.name), index + 1);
+    report(clustering(&subsets), 1);
+    let searches = parallel::map(subsets.len(), |index| {
         let (recording, stays) = reading.subset(index);
-        searches.push(find_sub_goals(recording, stays, subset, request.radius));
-    }
-    report("Reading words".to_owned(), subsets.len() + 1);
+        find_sub_goals(recording, stays, &subsets[index], request.radius)
+    });
+    report("Reading words".to_owned(), 2);
     let notes = notes(&reading, &searches);
     let mut eliminated = Vec::new();
     let (mut parameters, mut alphabet) = (Vec::new(), Alphabet::default());
@@ -157,6 +157,14 @@ pub fn infer(
     };
     report("Done".to_owned(), total);
     Ok(Inference { specification, completed, eliminated, notes })
+}
+
+/// What is clustered, as a stage of the progress.
+fn clustering(subsets: &[SubsetRequest]) -> String {
+    match subsets {
+        [only] => format!("Clustering {}", only.name),
+        _ => format!("Clustering {} subsets", subsets.len()),
+    }
 }
 
 fn demonstrated((demonstration, word): (&Demonstration, Word)) -> DemonstrationWord {

@@ -32,6 +32,7 @@ pub mod language;
 pub mod layout;
 pub mod merge_candidates;
 pub mod outage;
+mod parallel;
 pub mod parameters;
 pub mod pdfa;
 pub mod plan;
