@@ -29,6 +29,11 @@ impl Points {
         self.coordinates.extend_from_slice(point);
     }
 
+    /// All coordinates, point by point.
+    pub fn coordinates(&self) -> &[f64] {
+        &self.coordinates
+    }
+
     /// How many coordinates each point has.
     pub fn dimension(&self) -> usize {
         self.dimension

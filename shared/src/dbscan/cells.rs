@@ -1,67 +1,78 @@
-//! Points sorted into cells of a grid, and which cells are near which.
+//! Points sorted into cells in which all are within epsilon of each other, and which cells are near which.
 
-use kiddo::{ImmutableKdTree, SquaredEuclidean};
+use std::ops::Range;
 
-use crate::points::Points;
+use super::DbscanParameters;
+use super::bounds::{Bounds, around};
+use super::grid::{Cursors, Grid};
+use super::rows::{Rows, Space};
+use super::tree::{NodeId, Parts, Trees};
 
-/// Keeps two points of one cell within epsilon in spite of rounding.
-const SHRINK: f64 = 1.0 - 1e-9;
+/// More points than this in one cell have a tree; so many or fewer are compared one by one.
+const HEAP: usize = 32;
 
-/// The occupied cells of a grid whose cells have diagonals of epsilon.
-pub(super) struct Cells {
-    /// Length of a cell's sides.
-    side: f64,
-    /// All points, cell by cell.
-    order: Vec<usize>,
-    /// Where each cell starts in `order`, and the end.
-    starts: Vec<usize>,
-    /// Center of each cell.
-    centers: Points,
-    /// Smallest and largest coordinates of each cell's points.
-    lowest: Points,
-    highest: Points,
+/// So many points or fewer that are not within epsilon of each other are cells by themselves, where there is no grid.
+const LOOSE: usize = 8;
+
+/// The cells, each with at least one point, and a tree over the points of each that is a heap.
+pub(super) struct Cells<S> {
+    parameters: DbscanParameters,
+    rows: Rows<S>,
+    /// Where each cell starts in the rows, and the end.
+    starts: Vec<u32>,
+    index: Index<S>,
+    heaps: Trees<S>,
+    /// The tree of each cell, or [`NO_TREE`].
+    roots: Vec<NodeId>,
 }
 
-impl Cells {
-    pub(super) fn new(points: &Points, epsilon: f64) -> Self {
-        let side = epsilon / (points.dimension() as f64).sqrt() * SHRINK;
-        let key: Vec<f64> = points.iter().flatten().map(|x| (x / side).floor()).collect();
-        let keys = Points::from_rows(points.dimension(), key);
-        let compare = |&a: &usize, &b: &usize| {
-            let pairs = keys.point(a).iter().zip(keys.point(b));
-            pairs.map(|(x, y)| x.total_cmp(y)).find(|order| order.is_ne()).unwrap_or(a.cmp(&b))
-        };
-        let mut order: Vec<usize> = (0..points.len()).collect();
-        order.sort_unstable_by(compare);
-        let mut starts = Vec::new();
-        let mut centers = Points::new(points.dimension());
-        for (at, &point) in order.iter().enumerate() {
-            if at == 0 || keys.point(point) != keys.point(order[at - 1]) {
-                starts.push(at);
-                let center: Vec<f64> = keys.point(point).iter().map(|key| (key + 0.5) * side).collect();
-                centers.push(&center);
-            }
-        }
-        starts.push(order.len());
-        let (mut lowest, mut highest) = (Points::new(points.dimension()), Points::new(points.dimension()));
-        for ends in starts.windows(2) {
-            let members = || order[ends[0]..ends[1]].iter().map(|&point| points.point(point));
-            let extreme = |pick: fn(f64, f64) -> f64, start: f64| -> Vec<f64> {
-                (0..points.dimension())
-                    .map(|axis| members().map(|point| point[axis]).fold(start, pick))
-                    .collect()
-            };
-            lowest.push(&extreme(f64::min, f64::INFINITY));
-            highest.push(&extreme(f64::max, f64::NEG_INFINITY));
-        }
-        Self { side, order, starts, centers, lowest, highest }
+const NO_TREE: NodeId = NodeId::MAX;
+
+/// What tells which cells are near a cell.
+enum Index<S> {
+    Grid {
+        grid: Grid,
+        keys: Vec<u64>,
+    },
+    /// A tree whose leaves hold whole cells.
+    Tree(Trees<S>),
+}
+
+/// The points of a cell.
+#[derive(Clone)]
+pub(super) enum Members {
+    /// These rows.
+    Few(Range<usize>),
+    /// The rows of this tree.
+    Heap(NodeId),
+}
+
+impl<S: Space> Cells<S> {
+    /// Sorts the points with these `coordinates` into cells.
+    pub(super) fn new(space: S, coordinates: &[f64], parameters: DbscanParameters) -> Self {
+        let squared_epsilon = parameters.epsilon * parameters.epsilon;
+        let grid = Grid::new(space, coordinates, parameters.epsilon).and_then(|grid| {
+            let (rows, starts, keys) = grid.sort(space, coordinates);
+            are_tight(&rows, &starts, squared_epsilon).then_some((rows, starts, Index::Grid { grid, keys }))
+        });
+        let (rows, starts, index) = grid.unwrap_or_else(|| in_tree(space, coordinates, squared_epsilon));
+        let roots = vec![NO_TREE; starts.len() - 1];
+        let mut cells = Self { parameters, rows, starts, index, heaps: Trees::new(space), roots };
+        cells.plant_heaps();
+        cells
     }
 
-    /// Square of the distance from `point` to the box around the points of `cell`; zero inside.
-    pub(super) fn squared_distance_to(&self, cell: usize, point: &[f64]) -> f64 {
-        let sides = self.lowest.point(cell).iter().zip(self.highest.point(cell));
-        let outside = |(x, (low, high)): (&f64, (&f64, &f64))| (low - x).max(x - high).max(0.0);
-        point.iter().zip(sides).map(outside).map(|distance| distance * distance).sum()
+    /// Gives a tree to every heap that has a neighbor: nobody asks about the others.
+    fn plant_heaps(&mut self) {
+        let mut neighborhood = Neighborhood::new(self, 0);
+        let heaps = (0..self.len()).filter(|&cell| self.range(cell).len() > HEAP);
+        let asked: Vec<usize> = heaps
+            .filter(|&cell| neighborhood.around(cell).iter().map(ExactSizeIterator::len).sum::<usize>() > 1)
+            .collect();
+        for cell in asked {
+            let range = self.range(cell);
+            self.roots[cell] = self.heaps.plant(&mut self.rows, range, |count, _| count <= HEAP);
+        }
     }
 
     /// How many cells there are.
@@ -69,68 +80,121 @@ impl Cells {
         self.starts.len() - 1
     }
 
-    /// The points in `cell`, ascending.
-    pub(super) fn members(&self, cell: usize) -> &[usize] {
-        &self.order[self.starts[cell]..self.starts[cell + 1]]
+    /// The rows of a cell.
+    #[inline]
+    pub(super) fn range(&self, cell: usize) -> Range<usize> {
+        self.starts[cell] as usize..self.starts[cell + 1] as usize
+    }
+
+    /// The points of a cell.
+    #[inline]
+    pub(super) fn members(&self, cell: usize) -> Members {
+        match self.roots[cell] {
+            NO_TREE => Members::Few(self.range(cell)),
+            root => Members::Heap(root),
+        }
+    }
+
+    pub(super) fn rows(&self) -> &Rows<S> {
+        &self.rows
+    }
+
+    pub(super) fn heaps(&self) -> &Trees<S> {
+        &self.heaps
+    }
+
+    pub(super) fn min_points(&self) -> usize {
+        self.parameters.min_points
+    }
+
+    pub(super) fn squared_epsilon(&self) -> f64 {
+        self.parameters.epsilon * self.parameters.epsilon
+    }
+
+    /// Whether all points of a cell are core points, as there are enough of them.
+    pub(super) fn is_dense(&self, cell: usize) -> bool {
+        self.range(cell).len() >= self.parameters.min_points
     }
 }
 
-/// Answers which cells can hold points within epsilon of a cell's points.
-pub(super) struct Neighborhood<'a> {
-    cells: &'a Cells,
-    search: Search,
+/// Whether the points of each cell are within epsilon of each other.
+fn are_tight<S: Space>(rows: &Rows<S>, starts: &[u32], squared_epsilon: f64) -> bool {
+    let mut bounds = Vec::new();
+    starts.windows(2).filter(|ends| ends[1] - ends[0] > 1).all(|ends| {
+        bounds.clear();
+        around(rows.space().dimension(), rows.rows(ends[0] as usize..ends[1] as usize), &mut bounds);
+        is_tight(&Bounds::new(rows.space().dimension(), &bounds), squared_epsilon)
+    })
 }
 
-impl<'a> Neighborhood<'a> {
-    pub(super) fn new(cells: &'a Cells) -> Self {
-        Self { cells, search: search(&cells.centers) }
+fn is_tight(bounds: &Bounds, squared_epsilon: f64) -> bool {
+    bounds.farthest(bounds) <= squared_epsilon
+}
+
+/// Sorts points into cells by halving boxes until what is in them is within epsilon, or few.
+fn in_tree<S: Space>(space: S, coordinates: &[f64], squared_epsilon: f64) -> (Rows<S>, Vec<u32>, Index<S>) {
+    let count = coordinates.len() / space.dimension().max(1);
+    let mut rows = Rows::with_capacity(space, count);
+    rows.extend(coordinates, 0..count as u32);
+    let mut tree = Trees::new(space);
+    let mut starts = Vec::new();
+    if count > 0 {
+        tree.plant(&mut rows, 0..count, |count, bounds| count <= LOOSE || is_tight(bounds, squared_epsilon));
+        for node in tree.nodes() {
+            if let Parts::Leaf(range) = tree.parts(node) {
+                let step = if is_tight(&tree.bounds(node), squared_epsilon) { range.len() } else { 1 };
+                starts.extend(range.step_by(step).map(|start| start as u32));
+            }
+        }
+    }
+    starts.push(count as u32);
+    (rows, starts, Index::Tree(tree))
+}
+
+/// Finds the cells around one cell after the other, ascending.
+pub(super) struct Neighborhood<'a, S> {
+    cells: &'a Cells<S>,
+    cursors: Option<Cursors<'a>>,
+    found: Vec<Range<usize>>,
+}
+
+impl<'a, S: Space> Neighborhood<'a, S> {
+    /// For asking about `cell` and those after it.
+    pub(super) fn new(cells: &'a Cells<S>, cell: usize) -> Self {
+        let cursors = match &cells.index {
+            Index::Grid { grid, keys } => Some(Cursors::new(grid, keys, cell)),
+            Index::Tree(_) => None,
+        };
+        Self { cells, cursors, found: Vec::new() }
     }
 
-    /// All cells that can hold a point within epsilon of a point in `cell`, itself included, ascending.
-    pub(super) fn of(&self, cell: usize) -> Vec<usize> {
-        // A point is at most half a diagonal (epsilon / 2) from its cell's center.
-        let diagonal = self.cells.side / SHRINK * (self.cells.centers.dimension() as f64).sqrt();
-        let reach = 2.0 * diagonal / SHRINK;
-        let mut around = (self.search)(self.cells.centers.point(cell), reach);
-        around.push(cell);
-        around.sort_unstable();
-        around.dedup();
-        around
+    /// Ranges of all cells that can hold a point within epsilon of one in `cell`, itself included.
+    pub(super) fn around(&mut self, cell: usize) -> &[Range<usize>] {
+        self.found.clear();
+        match (&mut self.cursors, &self.cells.index) {
+            (Some(cursors), _) => cursors.around(cell, &mut self.found),
+            (None, Index::Tree(tree)) => self.cells.around_in_tree(tree, cell, &mut self.found),
+            (None, Index::Grid { .. }) => {}
+        }
+        &self.found
     }
 }
 
-/// Answers which points are within a distance of a point, by their indices in any order; more may be named.
-type Search = Box<dyn Fn(&[f64], f64) -> Vec<usize>>;
-
-/// The one place where the dimension becomes a constant. Coordinates beyond the eighth are left to the caller: what is
-/// near in all coordinates is near in the first eight.
-fn search(points: &Points) -> Search {
-    match points.dimension() {
-        _ if points.is_empty() => Box::new(|_, _| Vec::new()),
-        1 => search_in::<1>(points),
-        2 => search_in::<2>(points),
-        3 => search_in::<3>(points),
-        4 => search_in::<4>(points),
-        _ => search_in::<8>(points),
+impl<S: Space> Cells<S> {
+    fn around_in_tree(&self, tree: &Trees<S>, cell: usize, found: &mut Vec<Range<usize>>) {
+        let dimension = self.rows.space().dimension();
+        let mut bounds = Vec::new();
+        around(dimension, self.rows.rows(self.range(cell)), &mut bounds);
+        let bounds = Bounds::new(dimension, &bounds);
+        let cell_at = |row: usize| self.starts.partition_point(|&start| (start as usize) < row);
+        let mut waiting = vec![0];
+        while let Some(node) = waiting.pop() {
+            if tree.bounds(node).nearest(&bounds) <= self.squared_epsilon() {
+                match tree.parts(node) {
+                    Parts::Leaf(range) => found.push(cell_at(range.start)..cell_at(range.end)),
+                    Parts::Both(first, second) => waiting.extend([second, first]),
+                }
+            }
+        }
     }
-}
-
-fn search_in<const K: usize>(points: &Points) -> Search {
-    let rows: Vec<[f64; K]> = points.iter().map(first_coordinates).collect();
-    match ImmutableKdTree::<f64, K>::new_from_slice(&rows) {
-        Ok(tree) => Box::new(move |center, reach| {
-            let query = first_coordinates(center);
-            let within =
-                tree.query(&query).within::<SquaredEuclidean<f64>>(reach * reach).unsorted().execute();
-            within.into_iter().map(|found| found.item as usize).collect()
-        }),
-        // The tree refuses some degenerate inputs; then every point is named, which is slow but right.
-        Err(_) => Box::new(move |_, _| (0..rows.len()).collect()),
-    }
-}
-
-/// The first `K` coordinates, zeros where there are fewer, within what can be squared.
-fn first_coordinates<const K: usize>(point: &[f64]) -> [f64; K] {
-    const LARGEST: f64 = 1e150;
-    std::array::from_fn(|axis| point.get(axis).map_or(0.0, |x| x.clamp(-LARGEST, LARGEST)))
 }

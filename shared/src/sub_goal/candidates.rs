@@ -87,7 +87,7 @@ impl Candidates {
     /// The positions of each cluster's points.
     fn members(&self, density: DbscanParameters) -> Vec<Vec<usize>> {
         let mut members: Vec<Vec<usize>> = Vec::new();
-        for (index, label) in dbscan(&self.points, density).into_iter().enumerate() {
+        for (index, label) in dbscan(&self.points, density).iter().enumerate() {
             if let Some(label) = label {
                 members.resize(members.len().max(label + 1), Vec::new());
                 members[label].push(index);
