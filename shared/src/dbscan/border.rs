@@ -27,7 +27,7 @@ fn border_points_in<S: Space>(cells: &Cells<S>, core: &[bool], number: usize) ->
         if cells.is_dense(cell) || !core[range.clone()].contains(&false) {
             continue;
         }
-        let around = neighborhood.around(cell);
+        let around = neighborhood.members(cell);
         for at in range.filter(|&at| !core[at]) {
             border.extend(cell_of_nearest(cells, core, around, at).map(|cell| (at as u32, cell as u32)));
         }
@@ -39,22 +39,18 @@ fn border_points_in<S: Space>(cells: &Cells<S>, core: &[bool], number: usize) ->
 fn cell_of_nearest<S: Space>(
     cells: &Cells<S>,
     core: &[bool],
-    around: &[Range<usize>],
+    around: &[Members],
     at: usize,
 ) -> Option<usize> {
     let point = cells.rows().row(at);
-    let mut nearest = Nearest { cells, core, point, squared: cells.squared_epsilon(), input: u32::MAX };
-    let mut of_cell = None;
-    for cell in around.iter().cloned().flatten() {
-        let is_nearer = match cells.members(cell) {
-            Members::Few(range) => nearest.look_at(range),
-            Members::Heap(root) => nearest.look_into(root),
-        };
-        if is_nearer {
-            of_cell = Some(cell);
+    let mut nearest = Nearest { cells, core, point, squared: cells.squared_epsilon(), at: None };
+    for members in around {
+        match members {
+            Members::Few(range) => nearest.look_at(range.clone()),
+            Members::Heap(root) => nearest.look_into(*root),
         }
     }
-    of_cell
+    nearest.at.map(|at| cells.cell_at(at))
 }
 
 /// The nearest core point so far.
@@ -63,35 +59,33 @@ struct Nearest<'a, S> {
     core: &'a [bool],
     point: &'a [f64],
     squared: f64,
-    /// Where it is in the input.
-    input: u32,
+    /// Its row, once there is one.
+    at: Option<usize>,
 }
 
 impl<S: Space> Nearest<'_, S> {
-    /// Whether a nearer one is among these rows.
-    fn look_at(&mut self, range: Range<usize>) -> bool {
+    /// Looks whether a nearer one is among these rows.
+    fn look_at(&mut self, range: Range<usize>) {
         let rows = self.cells.rows();
-        let mut is_nearer = false;
         for at in range.filter(|&at| self.core[at]) {
-            let (squared, input) = (rows.squared_distance(at, self.point), rows.input(at));
-            if squared < self.squared || (squared <= self.squared && input < self.input) {
-                (self.squared, self.input, is_nearer) = (squared, input, true);
+            let squared = rows.squared_distance(at, self.point);
+            let is_earlier = || self.at.is_none_or(|known| rows.input(at) < rows.input(known));
+            if squared < self.squared || (squared <= self.squared && is_earlier()) {
+                (self.squared, self.at) = (squared, Some(at));
             }
         }
-        is_nearer
     }
 
-    /// Whether a nearer one is in this tree.
-    fn look_into(&mut self, node: NodeId) -> bool {
+    /// Looks whether a nearer one is in this tree.
+    fn look_into(&mut self, node: NodeId) {
         let heaps = self.cells.heaps();
-        if heaps.bounds(node).nearest(&Bounds::of_point(self.point)) > self.squared {
-            return false;
-        }
-        match heaps.parts(node) {
-            Parts::Leaf(range) => self.look_at(range),
-            Parts::Both(first, second) => {
-                let is_nearer = self.look_into(first);
-                self.look_into(second) || is_nearer
+        if heaps.bounds(node).nearest(&Bounds::of_point(self.point)) <= self.squared {
+            match heaps.parts(node) {
+                Parts::Leaf(range) => self.look_at(range),
+                Parts::Both(first, second) => {
+                    self.look_into(first);
+                    self.look_into(second);
+                }
             }
         }
     }

@@ -38,7 +38,7 @@ enum Index<S> {
     Tree(Trees<S>),
 }
 
-/// The points of a cell.
+/// Points that are looked at together.
 #[derive(Clone)]
 pub(super) enum Members {
     /// These rows.
@@ -67,7 +67,7 @@ impl<S: Space> Cells<S> {
         let mut neighborhood = Neighborhood::new(self, 0);
         let heaps = (0..self.len()).filter(|&cell| self.range(cell).len() > HEAP);
         let asked: Vec<usize> = heaps
-            .filter(|&cell| neighborhood.around(cell).iter().map(ExactSizeIterator::len).sum::<usize>() > 1)
+            .filter(|&cell| neighborhood.cells(cell).iter().map(ExactSizeIterator::len).sum::<usize>() > 1)
             .collect();
         for cell in asked {
             let range = self.range(cell);
@@ -93,6 +93,11 @@ impl<S: Space> Cells<S> {
             NO_TREE => Members::Few(self.range(cell)),
             root => Members::Heap(root),
         }
+    }
+
+    /// The cell of a row.
+    pub(super) fn cell_at(&self, row: usize) -> usize {
+        self.starts.partition_point(|&start| start as usize <= row) - 1
     }
 
     pub(super) fn rows(&self) -> &Rows<S> {
@@ -151,25 +156,35 @@ fn in_tree<S: Space>(space: S, coordinates: &[f64], squared_epsilon: f64) -> (Ro
     (rows, starts, Index::Tree(tree))
 }
 
-/// Finds the cells around one cell after the other, ascending.
+/// Finds what is around one cell after the other, ascending.
 pub(super) struct Neighborhood<'a, S> {
     cells: &'a Cells<S>,
     cursors: Option<Cursors<'a>>,
     found: Vec<Range<usize>>,
+    members: Vec<Members>,
 }
 
 impl<'a, S: Space> Neighborhood<'a, S> {
     /// For asking about `cell` and those after it.
     pub(super) fn new(cells: &'a Cells<S>, cell: usize) -> Self {
+        Self::of_rows(cells, cell, |_| true)
+    }
+
+    /// For asking which cells before it are around `cell`, and those after it; some may be named that are not before it.
+    pub(super) fn before(cells: &'a Cells<S>, cell: usize) -> Self {
+        Self::of_rows(cells, cell, |difference| difference <= 0)
+    }
+
+    fn of_rows(cells: &'a Cells<S>, cell: usize, is_wanted: fn(i64) -> bool) -> Self {
         let cursors = match &cells.index {
-            Index::Grid { grid, keys } => Some(Cursors::new(grid, keys, cell)),
+            Index::Grid { grid, keys } => Some(Cursors::new(grid, keys, cell, is_wanted)),
             Index::Tree(_) => None,
         };
-        Self { cells, cursors, found: Vec::new() }
+        Self { cells, cursors, found: Vec::new(), members: Vec::new() }
     }
 
     /// Ranges of all cells that can hold a point within epsilon of one in `cell`, itself included.
-    pub(super) fn around(&mut self, cell: usize) -> &[Range<usize>] {
+    pub(super) fn cells(&mut self, cell: usize) -> &[Range<usize>] {
         self.found.clear();
         match (&mut self.cursors, &self.cells.index) {
             (Some(cursors), _) => cursors.around(cell, &mut self.found),
@@ -177,6 +192,22 @@ impl<'a, S: Space> Neighborhood<'a, S> {
             (None, Index::Grid { .. }) => {}
         }
         &self.found
+    }
+
+    /// The points of those cells; cells side by side are told as one.
+    pub(super) fn members(&mut self, cell: usize) -> &[Members] {
+        self.cells(cell);
+        self.members.clear();
+        for range in &self.found {
+            let mut few = self.cells.range(range.start).start;
+            for heap in range.clone().filter(|&cell| self.cells.roots[cell] != NO_TREE) {
+                let rows = self.cells.range(heap);
+                self.members.extend([Members::Few(few..rows.start), Members::Heap(self.cells.roots[heap])]);
+                few = rows.end;
+            }
+            self.members.push(Members::Few(few..self.cells.range(range.end - 1).end));
+        }
+        &self.members
     }
 }
 
@@ -186,12 +217,13 @@ impl<S: Space> Cells<S> {
         let mut bounds = Vec::new();
         around(dimension, self.rows.rows(self.range(cell)), &mut bounds);
         let bounds = Bounds::new(dimension, &bounds);
-        let cell_at = |row: usize| self.starts.partition_point(|&start| (start as usize) < row);
         let mut waiting = vec![0];
         while let Some(node) = waiting.pop() {
             if tree.bounds(node).nearest(&bounds) <= self.squared_epsilon() {
                 match tree.parts(node) {
-                    Parts::Leaf(range) => found.push(cell_at(range.start)..cell_at(range.end)),
+                    Parts::Leaf(range) => {
+                        found.push(self.cell_at(range.start)..self.cell_at(range.end - 1) + 1)
+                    }
                     Parts::Both(first, second) => waiting.extend([second, first]),
                 }
             }

@@ -34,21 +34,23 @@ fn core_points_in<S: Space>(cells: &Cells<S>, number: usize) -> Vec<bool> {
             core.resize(core.len() + range.len(), true);
             continue;
         }
-        let around = neighborhood.around(cell);
+        let around = neighborhood.members(cell);
         core.extend(range.map(|at| is_core(cells, around, cells.rows().row(at))));
     }
     core
 }
 
-fn is_core<S: Space>(cells: &Cells<S>, around: &[Range<usize>], center: &[f64]) -> bool {
+fn is_core<S: Space>(cells: &Cells<S>, around: &[Members], center: &[f64]) -> bool {
     let ball = Ball { center, squared_epsilon: cells.squared_epsilon() };
-    let mut missing = cells.min_points();
-    for cell in around.iter().cloned().flatten() {
-        missing -= match cells.members(cell) {
-            Members::Few(range) => cells.rows().count(range, &ball, missing),
-            Members::Heap(root) => cells.heaps().count(cells.rows(), root, &ball, missing),
+    let mut count = 0;
+    for members in around {
+        count += match members {
+            Members::Few(range) => cells.rows().count(range.clone(), &ball),
+            Members::Heap(root) => {
+                cells.heaps().count(cells.rows(), *root, &ball, cells.min_points() - count)
+            }
         };
-        if missing == 0 {
+        if count >= cells.min_points() {
             return true;
         }
     }

@@ -128,37 +128,50 @@ fn differences(shifts: &[u32], reach: i64, diagonal: f64) -> Vec<i64> {
 
 /// Finds the cells around one cell after the other.
 pub(super) struct Cursors<'a> {
-    grid: &'a Grid,
     keys: &'a [u64],
-    /// For each difference the first cell that is not before its row.
-    first: Vec<usize>,
+    reach: u64,
+    rows: Vec<Row>,
+}
+
+/// The cells of one row that can be near the present cell: those from `first` to before `end`.
+struct Row {
+    difference: i64,
+    first: usize,
+    end: usize,
 }
 
 impl<'a> Cursors<'a> {
-    /// For asking about `cell` and those after it, ascending.
-    pub(super) fn new(grid: &'a Grid, keys: &'a [u64], cell: usize) -> Self {
-        let first = |difference: &i64| {
-            let low = keys.get(cell).map_or(0, |key| key.wrapping_add_signed(*difference) - grid.reach);
-            keys.partition_point(|&key| key < low)
+    /// For asking about `cell` and those after it, ascending; of what is around them only what `is_wanted`, by the
+    /// difference of its row.
+    pub(super) fn new(grid: &Grid, keys: &'a [u64], cell: usize, is_wanted: impl Fn(i64) -> bool) -> Self {
+        let row = |&difference: &i64| {
+            let low = keys.get(cell).map_or(0, |key| key.wrapping_add_signed(difference) - grid.reach);
+            let first = keys.partition_point(|&key| key < low);
+            Row { difference, first, end: first }
         };
-        Self { grid, keys, first: grid.differences.iter().map(first).collect() }
+        let wanted = grid.differences.iter().filter(|difference| is_wanted(**difference));
+        Self { keys, reach: grid.reach, rows: wanted.map(row).collect() }
     }
 
-    /// Ranges of all cells that can hold a point within epsilon of one in `cell`, itself included, the nearest first.
+    /// Ranges of all cells in wanted rows that can hold a point within epsilon of one in `cell`, itself included, the
+    /// nearest first.
     ///
     /// # Complexity
     ///
     /// O(cells) for all cells together, times the number of rows of cells around one, which depends on the dimension.
     pub(super) fn around(&mut self, cell: usize, found: &mut Vec<Range<usize>>) {
-        for (first, difference) in self.first.iter_mut().zip(&self.grid.differences) {
-            let low = self.keys[cell].wrapping_add_signed(*difference) - self.grid.reach;
-            let high = low + 2 * self.grid.reach;
-            while self.keys.get(*first).is_some_and(|&key| key < low) {
+        let Self { keys, reach, rows } = self;
+        let key = keys[cell];
+        for Row { difference, first, end } in rows {
+            let middle = key.wrapping_add_signed(*difference);
+            while *end < keys.len() && keys[*end] <= middle + *reach {
+                *end += 1;
+            }
+            while *first < *end && keys[*first] < middle - *reach {
                 *first += 1;
             }
-            let count = self.keys[*first..].iter().take_while(|&&key| key <= high).count();
-            if count > 0 {
-                found.push(*first..*first + count);
+            if *first < *end {
+                found.push(*first..*end);
             }
         }
     }

@@ -16,20 +16,21 @@ use crate::parallel;
 /// pair of points that is near enough; of two heaps only what lies between them is compared.
 pub(super) fn join<S: Space>(cells: &Cells<S>, core: &[bool]) -> Components {
     let components = Components::new(cells.len());
-    parallel::map(cells.len().div_ceil(PIECE), |number| {
-        let mut neighborhood = Neighborhood::new(cells, number * PIECE);
-        for cell in piece(cells, number) {
-            if core[cells.range(cell)].contains(&true) {
-                let before = neighborhood.around(cell).iter().map(|range| range.start..range.end.min(cell));
-                for other in before.flatten() {
-                    if components.find(cell) != components.find(other) && touch(cells, core, cell, other) {
-                        components.join(cell, other);
-                    }
-                }
+    parallel::map(cells.len().div_ceil(PIECE), |number| join_piece(cells, core, &components, number));
+    components
+}
+
+fn join_piece<S: Space>(cells: &Cells<S>, core: &[bool], components: &Components, number: usize) {
+    let mut neighborhood = Neighborhood::before(cells, number * PIECE);
+    for cell in piece(cells, number).filter(|&cell| core[cells.range(cell)].contains(&true)) {
+        let mut component = components.find(cell);
+        for other in neighborhood.cells(cell).iter().flat_map(|range| range.start..range.end.min(cell)) {
+            if components.find(other) != component && touch(cells, core, cell, other) {
+                components.join(cell, other);
+                component = components.find(cell);
             }
         }
-    });
-    components
+    }
 }
 
 /// Whether a core point of `cell` is within epsilon of one of `other`.

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::bounds::{Bounds, around};
 use super::rows::{Rows, Space};
+use crate::points::squared_distance;
 
 /// Boxes are halved no more often than this: only points at distances that double again and again need more.
 const DEEPEST: u32 = 64;
@@ -114,30 +115,31 @@ impl<S: Space> Trees<S> {
         }
     }
 
-    /// How many rows of `node` are in `ball`, counted up to `enough`.
+    /// How many rows of `node` are in `ball`, or at least `enough` of them.
     pub(super) fn count(&self, rows: &Rows<S>, node: NodeId, ball: &Ball, enough: usize) -> usize {
         let (bounds, center) = (self.bounds(node), ball.bounds());
         if bounds.nearest(&center) > ball.squared_epsilon {
             return 0;
         }
         if bounds.farthest(&center) <= ball.squared_epsilon {
-            return self.range(node).len().min(enough);
+            return self.range(node).len();
         }
         match self.parts(node) {
-            Parts::Leaf(range) => rows.count(range, ball, enough),
+            Parts::Leaf(range) => rows.count(range, ball),
             Parts::Both(first, second) => {
                 let count = self.count(rows, first, ball, enough);
-                if count == enough { count } else { count + self.count(rows, second, ball, enough - count) }
+                let missing = enough.saturating_sub(count);
+                if missing == 0 { count } else { count + self.count(rows, second, ball, missing) }
             }
         }
     }
 }
 
 impl<S: Space> Rows<S> {
-    /// How many rows of `range` are in `ball`, counted up to `enough`.
+    /// How many rows of `range` are in `ball`.
     #[inline]
-    pub(super) fn count(&self, range: Range<usize>, ball: &Ball, enough: usize) -> usize {
-        let inside = range.filter(|&at| self.squared_distance(at, ball.center) <= ball.squared_epsilon);
-        inside.take(enough).count()
+    pub(super) fn count(&self, range: Range<usize>, ball: &Ball) -> usize {
+        let squares = self.rows(range).map(|row| squared_distance(row, ball.center));
+        squares.filter(|&squared| squared <= ball.squared_epsilon).count()
     }
 }

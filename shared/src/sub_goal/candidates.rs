@@ -1,22 +1,26 @@
 //! The partial states that are clustered, and the clusters that they form.
 
-use std::collections::BTreeSet;
-
 use super::{Cluster, RadiusRule, radius};
 use crate::dbscan::{DbscanParameters, dbscan};
 use crate::points::{Points, distance, mean};
 use crate::rest::{Kind, SubsetRecording, SubsetStays};
 use crate::specification::Ball;
 
-/// The partial states that are clustered, with the demonstration of each and the stay that it belongs to.
+/// The partial states that are clustered, stretch by stretch.
 pub(super) struct Candidates {
     points: Points,
-    demonstrations: Vec<usize>,
-    /// Positions in `stay_centers`; meaningless where no stays are looked at.
-    stays: Vec<usize>,
-    stay_centers: Vec<Vec<f64>>,
+    stretches: Vec<Stretch>,
     /// How much room a ball leaves around the center of each of its stays.
     stillness: Option<f64>,
+}
+
+/// Partial states of one demonstration in a row.
+struct Stretch {
+    demonstration: usize,
+    /// Center of the stay that it is, where stays are looked at.
+    center: Vec<f64>,
+    /// Position of the first partial state of the next stretch.
+    end: usize,
 }
 
 impl Candidates {
@@ -24,7 +28,7 @@ impl Candidates {
     pub(super) fn every_frame(recording: &SubsetRecording) -> Self {
         let mut candidates = Self::none(recording, None);
         for (demonstration, track) in recording.tracks.iter().enumerate() {
-            track.points.iter().for_each(|point| candidates.add(point, demonstration));
+            candidates.add(demonstration, Vec::new(), track.points.iter());
         }
         candidates
     }
@@ -39,27 +43,32 @@ impl Candidates {
         let reach = stays.scales.heap_radius(recording.features.len());
         for (demonstration, track) in recording.tracks.iter().enumerate() {
             for stay in stays.demonstrations[demonstration].iter().filter(|stay| is_wanted(stay.kind)) {
+                let center = &stay.dwell.center;
                 let points = stay.dwell.span.clone().map(|index| track.points.point(index));
-                candidates.stay_centers.push(stay.dwell.center.clone());
-                let still = points.filter(|point| distance(point, &stay.dwell.center) <= reach);
-                still.for_each(|point| candidates.add(point, demonstration));
+                candidates.add(
+                    demonstration,
+                    center.clone(),
+                    points.filter(|point| distance(point, center) <= reach),
+                );
             }
         }
         candidates
     }
 
     fn none(recording: &SubsetRecording, stillness: Option<f64>) -> Self {
-        let points = Points::new(recording.features.len());
-        Self { points, demonstrations: Vec::new(), stays: Vec::new(), stay_centers: Vec::new(), stillness }
+        Self { points: Points::new(recording.features.len()), stretches: Vec::new(), stillness }
     }
 
-    fn add(&mut self, point: &[f64], demonstration: usize) {
-        self.points.push(point);
-        self.demonstrations.push(demonstration);
-        self.stays.push(self.stay_centers.len().saturating_sub(1));
+    fn add<'a>(&mut self, demonstration: usize, center: Vec<f64>, points: impl Iterator<Item = &'a [f64]>) {
+        points.for_each(|point| self.points.push(point));
+        self.stretches.push(Stretch { demonstration, center, end: self.points.len() });
     }
 
     /// Their clusters, in the order of the first point of each.
+    ///
+    /// # Complexity
+    ///
+    /// That of [`dbscan`], and O(k²) for k clusters.
     pub(super) fn clusters(
         &self,
         recording: &SubsetRecording,
@@ -67,41 +76,64 @@ impl Candidates {
         rule: RadiusRule,
     ) -> Vec<Cluster> {
         let members = self.members(density);
-        let center = |members: &Vec<usize>| {
-            mean(self.points.dimension(), members.iter().map(|&member| self.points.point(member)))
+        let center = |members: &Vec<u32>| {
+            mean(self.points.dimension(), members.iter().map(|&member| self.points.point(member as usize)))
         };
         let centers: Vec<Vec<f64>> = members.iter().map(center).collect();
-        let cluster = |(index, members): (usize, &Vec<usize>)| Cluster {
-            ball: Ball {
-                subset: recording.name.clone(),
-                features: recording.features.clone(),
-                center: centers[index].clone(),
-                radius: self.radius(members, &centers, index, rule),
-            },
-            frames: members.len(),
-            demonstrations: distinct(members, &self.demonstrations).len(),
+        let cluster = |(index, members): (usize, &Vec<u32>)| {
+            let stretches = self.stretches_of(members);
+            let mut demonstrations: Vec<usize> = stretches.iter().map(|it| it.demonstration).collect();
+            demonstrations.dedup();
+            Cluster {
+                ball: Ball {
+                    subset: recording.name.clone(),
+                    features: recording.features.clone(),
+                    center: centers[index].clone(),
+                    radius: self.radius(members, &stretches, &centers, index, rule),
+                },
+                frames: members.len(),
+                demonstrations: demonstrations.len(),
+            }
         };
         members.iter().enumerate().map(cluster).collect()
     }
 
-    /// The positions of each cluster's points.
-    fn members(&self, density: DbscanParameters) -> Vec<Vec<usize>> {
-        let mut members: Vec<Vec<usize>> = Vec::new();
-        for (index, label) in dbscan(&self.points, density).iter().enumerate() {
+    /// The positions of each cluster's points, ascending.
+    fn members(&self, density: DbscanParameters) -> Vec<Vec<u32>> {
+        let labels = dbscan(&self.points, density);
+        let mut members = vec![Vec::new(); labels.clusters()];
+        for (index, label) in labels.iter().enumerate() {
             if let Some(label) = label {
-                members.resize(members.len().max(label + 1), Vec::new());
-                members[label].push(index);
+                members[label].push(index as u32);
             }
         }
         members
     }
 
-    fn radius(&self, members: &[usize], centers: &[Vec<f64>], index: usize, rule: RadiusRule) -> f64 {
+    /// The stretches that have points among these, which are ascending.
+    fn stretches_of(&self, members: &[u32]) -> Vec<&Stretch> {
+        let mut all = self.stretches.iter();
+        let mut found: Vec<&Stretch> = Vec::new();
+        for &member in members {
+            if found.last().is_none_or(|last| last.end <= member as usize) {
+                found.extend(all.find(|stretch| (member as usize) < stretch.end));
+            }
+        }
+        found
+    }
+
+    fn radius(
+        &self,
+        members: &[u32],
+        stretches: &[&Stretch],
+        centers: &[Vec<f64>],
+        index: usize,
+        rule: RadiusRule,
+    ) -> f64 {
         let to_center = |point: &[f64]| distance(point, &centers[index]);
-        let distances = members.iter().map(|&member| to_center(self.points.point(member))).collect();
+        let distances = members.iter().map(|&member| to_center(self.points.point(member as usize))).collect();
         let floor = |stillness: f64| {
-            let stays = distinct(members, &self.stays).into_iter();
-            stillness + stays.map(|stay| to_center(&self.stay_centers[stay])).fold(0.0, f64::max)
+            stillness + stretches.iter().map(|stretch| to_center(&stretch.center)).fold(0.0, f64::max)
         };
         match rule {
             RadiusRule::Largest => radius::largest(distances),
@@ -110,8 +142,4 @@ impl Candidates {
             }
         }
     }
-}
-
-fn distinct(members: &[usize], of: &[usize]) -> BTreeSet<usize> {
-    members.iter().map(|&member| of[member]).collect()
 }
