@@ -222,7 +222,7 @@ impl<S: Space> Cells<S> {
             if tree.bounds(node).nearest(&bounds) <= self.squared_epsilon() {
                 match tree.parts(node) {
                     Parts::Leaf(range) => {
-                        found.push(self.cell_at(range.start)..self.cell_at(range.end - 1) + 1)
+                        found.push(self.cell_at(range.start)..self.cell_at(range.end - 1) + 1);
                     }
                     Parts::Both(first, second) => waiting.extend([second, first]),
                 }
