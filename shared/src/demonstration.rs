@@ -27,12 +27,14 @@ impl Feature {
 ///
 /// An undefined value (object not detected in that frame) is NaN. No value is beyond 1e100, there is at least one
 /// feature and at least one frame, and feature names are unique.
+///
+/// Its values are never copied once they are here: clones share them.
 #[derive(Clone, Debug)]
 pub struct Demonstration {
     name: String,
     sha256: String,
     features: Arc<[Feature]>,
-    values: Vec<f64>,
+    values: Arc<Vec<f64>>,
 }
 
 /// What can be squared and summed without overflow.
@@ -100,7 +102,7 @@ impl Demonstration {
             let feature = features[at % features.len()].name.clone();
             return Err(DemonstrationError::TooLarge { frame: at / features.len(), feature });
         }
-        Ok(Self { name: name.into(), sha256: sha256.into(), features, values })
+        Ok(Self { name: name.into(), sha256: sha256.into(), features, values: Arc::new(values) })
     }
 
     /// What the demonstration is called: its file, and its number where the file holds several.
@@ -131,6 +133,21 @@ impl Demonstration {
     pub fn frame(&self, index: usize) -> &[f64] {
         let width = self.features.len();
         &self.values[index * width..(index + 1) * width]
+    }
+
+    /// Whether `other` is this recording: a clone that shares its values, whatever it is called.
+    ///
+    /// # Complexity
+    ///
+    /// O(1): values are not compared, so two readings of one file are two recordings.
+    pub fn is_same_recording(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.values, &other.values)
+    }
+
+    /// Where its values are: the same for two demonstrations that are alive exactly if they are the
+    /// [same recording](Self::is_same_recording).
+    pub(crate) fn address(&self) -> usize {
+        Arc::as_ptr(&self.values).addr()
     }
 
     /// Position of the feature called `name`.
@@ -172,6 +189,14 @@ mod tests {
         assert_eq!(demonstration.frame(0), [1.0, 2.0]);
         assert!(demonstration.frame(1)[1].is_nan());
         assert_eq!(demonstration.feature_index("y"), Some(1));
+    }
+
+    #[test]
+    fn a_clone_is_the_same_recording_and_another_reading_is_not() {
+        let read = || demonstration(&["x"], &[1.0, 2.0]).unwrap();
+        let first = read();
+        assert!(first.is_same_recording(&first.clone()));
+        assert!(!first.is_same_recording(&read()));
     }
 
     #[test]

@@ -1,9 +1,11 @@
 //! Where a thing stays still: dwells in the track of a feature subset.
 
+use serde::{Deserialize, Serialize};
+
 use crate::points::{Points, Track, distance, median, median_point, quantile, squared_distance};
 
 /// A stretch of a track in which the partial state stays at one place.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Dwell {
     /// Positions in the track of the first observed frame and of the one after the last.
     pub span: std::ops::Range<usize>,
@@ -12,7 +14,7 @@ pub struct Dwell {
 }
 
 /// The scales on which a subset moves and trembles, in the unit of its features.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Scales {
     /// Standard deviation of the sensor noise in one feature.
     pub noise: f64,

@@ -1,26 +1,29 @@
 //! From demonstrations to a specification: the whole pipeline.
 
 mod alphabet;
+mod cleaning;
+mod conclusion;
 mod from_words;
 mod objections;
 mod reading;
+mod study;
+mod subset_study;
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::demonstration::Demonstration;
-use crate::parallel;
-use crate::pdfa::{Pdfa, Semantics, Word};
-use crate::specification::{DemonstrationWord, Specification};
-use crate::sub_goal::{SubGoalSearch, find_sub_goals};
-use crate::subset::{SubsetRequest, propose_subsets};
-use alphabet::Alphabet;
-use objections::{check_same_features, check_subsets};
-use reading::Reading;
+use crate::pdfa::Semantics;
+use crate::specification::Specification;
+use crate::subset::SubsetRequest;
 
 pub use crate::sub_goal::{Eliminated, Method, RadiusRule};
+pub use conclusion::conclude;
 pub use from_words::infer_words;
+pub use objections::requested_subsets;
 pub use reading::read_words;
+pub use study::Study;
+pub use subset_study::{DemonstrationKey, Found, Seen, SubsetStudy, tell};
 
 /// What to infer and how.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -115,86 +118,5 @@ pub fn infer(
     request: &InferRequest,
     progress: &mut dyn FnMut(&Progress),
 ) -> Result<Inference, InferError> {
-    let first = demonstrations.first().ok_or(InferError::NoDemonstrations)?;
-    check_same_features(demonstrations)?;
-    let features = first.features();
-    let subsets =
-        if request.subsets.is_empty() { propose_subsets(features) } else { request.subsets.clone() };
-    check_subsets(&subsets, features)?;
-    let total = 3;
-    let mut report = |stage: String, done: usize| progress(&Progress { stage, done, total });
-
-    report("Looking for rests".to_owned(), 0);
-    let parts: Vec<(&str, &[String])> =
-        subsets.iter().map(|subset| (subset.name.as_str(), subset.features.as_slice())).collect();
-    let reading = Reading::new(demonstrations, &parts, request.method);
-
-    report(clustering(&subsets), 1);
-    let searches = parallel::map(subsets.len(), |index| {
-        let (recording, stays) = reading.subset(index);
-        find_sub_goals(recording, stays, &subsets[index], request.radius)
-    });
-    report("Reading words".to_owned(), 2);
-    let notes = notes(&reading, &searches);
-    let mut eliminated = Vec::new();
-    let (mut parameters, mut alphabet) = (Vec::new(), Alphabet::default());
-    for (index, search) in searches.into_iter().enumerate() {
-        alphabet.add_subset(&reading, index, search.found);
-        eliminated.extend(search.eliminated);
-        parameters.push(search.parameters);
-    }
-    let completions = (0..demonstrations.len()).map(|index| alphabet.completions(index));
-    let (words, completed): (Vec<Word>, Vec<Vec<usize>>) =
-        completions.map(|completions| completions.into_iter().unzip()).unzip();
-    let specification = Specification {
-        name: request.name.clone(),
-        semantics: request.semantics,
-        features: features.to_vec(),
-        subsets: parameters,
-        sub_goals: alphabet.sub_goals,
-        pdfa: Pdfa::from_words(&words),
-        demonstrations: demonstrations.iter().zip(words).map(demonstrated).collect(),
-    };
-    report("Done".to_owned(), total);
-    Ok(Inference { specification, completed, eliminated, notes })
-}
-
-/// What is clustered, as a stage of the progress.
-fn clustering(subsets: &[SubsetRequest]) -> String {
-    match subsets {
-        [only] => format!("Clustering {}", only.name),
-        _ => format!("Clustering {} subsets", subsets.len()),
-    }
-}
-
-fn demonstrated((demonstration, word): (&Demonstration, Word)) -> DemonstrationWord {
-    DemonstrationWord {
-        name: demonstration.name().to_owned(),
-        sha256: demonstration.sha256().to_owned(),
-        frames: demonstration.frames(),
-        word,
-    }
-}
-
-/// What an expert should know about subsets in which nothing was found.
-fn notes(reading: &Reading, searches: &[SubGoalSearch]) -> Vec<String> {
-    let mut notes = Vec::new();
-    for (index, search) in searches.iter().enumerate() {
-        let (recording, _) = reading.subset(index);
-        let unobserved = recording.tracks.iter().filter(|track| track.is_empty()).count();
-        let all = recording.tracks.len();
-        if unobserved > 0 {
-            notes.push(format!(
-                "{} is never observed in {unobserved} of {all} demonstrations",
-                recording.name
-            ));
-        }
-        if search.found.is_empty() && unobserved < all {
-            notes.push(match search.eliminated.len() {
-                0 => format!("{} comes to rest nowhere but where it starts: no sub-goal", recording.name),
-                count => format!("{} has no sub-goal: all {count} clusters are eliminated", recording.name),
-            });
-        }
-    }
-    notes
+    Study::default().infer(demonstrations, request, progress)
 }

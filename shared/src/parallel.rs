@@ -3,6 +3,23 @@
 //! The engine starts no thread: with the feature `parallel` it hands work to the pool of rayon that it is called in.
 //! Without it, as in the browser, everything is done in order. The results are the same.
 
+/// How many pieces of work are worth handing over at once: all of them where there are threads, one after the other where
+/// there are none, so that somebody who waits can be told what is being done.
+pub(crate) const AT_ONCE: usize = if cfg!(feature = "parallel") { usize::MAX } else { 1 };
+
+/// Does `work` on each of `items`.
+#[cfg(feature = "parallel")]
+pub(crate) fn each<T: Send>(items: &mut [T], work: impl Fn(&mut T) + Sync + Send) {
+    use rayon::prelude::*;
+    items.par_iter_mut().for_each(work);
+}
+
+/// Does `work` on each of `items`.
+#[cfg(not(feature = "parallel"))]
+pub(crate) fn each<T>(items: &mut [T], work: impl Fn(&mut T)) {
+    items.iter_mut().for_each(work);
+}
+
 /// The results of `work` for the numbers from 0 to `count`, in their order.
 #[cfg(feature = "parallel")]
 pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {

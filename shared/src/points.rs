@@ -1,11 +1,12 @@
 //! Points in the space of a feature subset.
 
 use nalgebra::{DVector, DVectorView};
+use serde::{Deserialize, Serialize};
 
 use crate::demonstration::Demonstration;
 
 /// `len` points of `dimension` coordinates, row by row.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Points {
     dimension: usize,
     coordinates: Vec<f64>,
@@ -117,7 +118,7 @@ pub fn quantile(mut values: Vec<f64>, share: f64) -> f64 {
 }
 
 /// What one demonstration shows of one feature subset: the frames in which every feature of the subset is defined.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Track {
     /// Indices of the frames, ascending.
     pub frames: Vec<usize>,
@@ -145,6 +146,16 @@ impl Track {
             }
         }
         track
+    }
+
+    /// The partial states of `demonstration` in the features that are called so; names that it does not have are left out.
+    ///
+    /// # Complexity
+    ///
+    /// O(frames x columns).
+    pub fn of_features(demonstration: &Demonstration, names: &[String]) -> Self {
+        let columns = names.iter().filter_map(|name| demonstration.feature_index(name));
+        Self::new(demonstration, &columns.collect::<Vec<_>>())
     }
 
     /// How many frames were observed.

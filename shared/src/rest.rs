@@ -18,16 +18,18 @@ mod late_starts;
 mod left_alone;
 mod pauses;
 
+use serde::{Deserialize, Serialize};
+
 use crate::dwell::{Dwell, Scales, scales, without_wild_detections};
 use crate::points::Track;
 pub use axis::Axis;
-use first_look::first_look;
+pub use first_look::first_look;
 use late_starts::forgive_late_starts;
 use left_alone::{shortest_left, tell_left_alone};
 use pauses::tell_pauses;
 
 /// One feature subset in all demonstrations.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct SubsetRecording {
     /// The subset's name.
     pub name: String,
@@ -55,7 +57,7 @@ impl SubsetRecording {
 }
 
 /// What a dwell is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Kind {
     /// The thing has been there from the start of the demonstration.
     Start,
@@ -75,7 +77,7 @@ impl Kind {
 }
 
 /// A dwell with what it is.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Stay {
     /// Where and when.
     pub dwell: Dwell,
@@ -84,7 +86,7 @@ pub struct Stay {
 }
 
 /// The stays of one subset.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SubsetStays {
     /// Its scales.
     pub scales: Scales,
@@ -122,7 +124,17 @@ fn frames_possible(track: &Track, dwell: &Dwell) -> f64 {
 ///
 /// O(frames x features) and, per demonstration, the product of the numbers of dwells of two subsets.
 pub fn stays(recordings: &[SubsetRecording]) -> Vec<SubsetStays> {
-    let mut subsets: Vec<SubsetStays> = recordings.iter().map(first_look).collect();
+    tell_kinds(recordings, recordings.iter().map(first_look).collect())
+}
+
+/// The stays of a [first look](first_look) at each of `recordings`, told apart by what all subsets together show.
+///
+/// Of the tracks it looks at the frames around the dwells and on the ways between them.
+///
+/// # Complexity
+///
+/// Per demonstration, the product of the numbers of dwells of two subsets.
+pub fn tell_kinds(recordings: &[SubsetRecording], mut subsets: Vec<SubsetStays>) -> Vec<SubsetStays> {
     tell_left_alone(recordings, &mut subsets);
     let axes = axis::learn(recordings, &subsets);
     let shortest_left = shortest_left(recordings, &subsets);

@@ -6,6 +6,8 @@ mod check;
 mod file;
 mod validate;
 
+use serde::{Deserialize, Serialize};
+
 use crate::demonstration::Feature;
 use crate::pdfa::{Pdfa, Semantics, Symbol, Word};
 use crate::points::distance;
@@ -38,7 +40,7 @@ pub struct Specification {
 }
 
 /// A feature subset with the parameters that its sub-goals were found with.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SubsetParameters {
     /// What the subset is called, such as the object that its features describe.
     pub name: String,
@@ -71,7 +73,7 @@ pub struct SubGoal {
 }
 
 /// A ball in the space of a feature subset.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ball {
     /// Name of the subset.
     pub subset: String,

@@ -4,6 +4,8 @@ mod candidates;
 mod elimination;
 mod radius;
 
+use serde::{Deserialize, Serialize};
+
 use crate::dbscan::DbscanParameters;
 use crate::parameters::choose_parameters;
 use crate::points::Track;
@@ -14,7 +16,7 @@ use candidates::Candidates;
 use elimination::{reason_against, starts_and_pauses};
 
 /// Which frames are clustered, and when a sub-goal counts as reached.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Method {
     /// Only frames in which a thing rests; a sub-goal is reached when the thing comes to rest in its ball.
@@ -25,7 +27,7 @@ pub enum Method {
 }
 
 /// How large the ball around a cluster is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum RadiusRule {
     /// What the bulk of the cluster's points needs, and never into the ball of a neighbor.
@@ -36,7 +38,7 @@ pub enum RadiusRule {
 }
 
 /// A cluster with its ball.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Cluster {
     /// The ball around it.
     pub ball: Ball,
@@ -47,7 +49,7 @@ pub struct Cluster {
 }
 
 /// A cluster that is no sub-goal.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Eliminated {
     /// The cluster.
     pub cluster: Cluster,
@@ -56,7 +58,7 @@ pub struct Eliminated {
 }
 
 /// What was found in one subset.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SubGoalSearch {
     /// The parameters that were used.
     pub parameters: SubsetParameters,
@@ -110,23 +112,38 @@ fn parameters(
     stays: Option<&SubsetStays>,
     request: &SubsetRequest,
 ) -> SubsetParameters {
-    let dimension = recording.features.len();
-    let chosen = match stays {
-        Some(stays) => choose_parameters(stays, dimension),
-        None => choose_parameters(&find_stays(std::slice::from_ref(recording))[0], dimension),
+    let density = match (request.epsilon, request.min_points) {
+        (Setting::Fixed(epsilon), Setting::Fixed(min_points)) => DbscanParameters { epsilon, min_points },
+        (epsilon, min_points) => {
+            let chosen = parameters_left_to_the_engine(recording, stays);
+            DbscanParameters {
+                epsilon: epsilon.or(chosen.epsilon),
+                min_points: min_points.or(chosen.min_points),
+            }
+        }
     };
     SubsetParameters {
         name: request.name.clone(),
         features: request.features.clone(),
-        epsilon: match request.epsilon {
-            Setting::Auto => chosen.epsilon,
-            Setting::Fixed(epsilon) => epsilon,
-        },
-        min_points: match request.min_points {
-            Setting::Auto => chosen.min_points,
-            Setting::Fixed(min_points) => min_points,
-        },
+        epsilon: density.epsilon,
+        min_points: density.min_points,
         min_dwell: stays.map_or(1, |stays| stays.min_dwell),
+    }
+}
+
+/// What [`find_sub_goals`] takes for a parameter that the expert leaves to the engine.
+///
+/// # Complexity
+///
+/// That of [`choose_parameters`]; without `stays` they are looked for first.
+pub fn parameters_left_to_the_engine(
+    recording: &SubsetRecording,
+    stays: Option<&SubsetStays>,
+) -> DbscanParameters {
+    let dimension = recording.features.len();
+    match stays {
+        Some(stays) => choose_parameters(stays, dimension),
+        None => choose_parameters(&find_stays(std::slice::from_ref(recording))[0], dimension),
     }
 }
 

@@ -17,6 +17,16 @@ pub enum Setting<T> {
     Fixed(T),
 }
 
+impl<T> Setting<T> {
+    /// The fixed value, or the one that the engine has `chosen`.
+    pub fn or(self, chosen: T) -> T {
+        match self {
+            Self::Auto => chosen,
+            Self::Fixed(value) => value,
+        }
+    }
+}
+
 /// A feature subset in which sub-goals are to be searched.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SubsetRequest {

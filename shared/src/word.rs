@@ -3,12 +3,12 @@
 use crate::pdfa::{Symbol, Word};
 
 /// When a sub-goal was reached: the frames in which it holds.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Reached {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reached<'a> {
     /// The sub-goal's symbol.
     pub symbol: Symbol,
     /// Indices of the frames in which the partial state counts as being in its ball, ascending.
-    pub frames: Vec<usize>,
+    pub frames: &'a [usize],
 }
 
 /// Reads the word of a demonstration: the paper's Algorithm 1.
@@ -27,7 +27,7 @@ pub struct Reached {
 /// use goalgraph::word::{Reached, read_word};
 ///
 /// let (a, b) = (Symbol(0), Symbol(1));
-/// let reached = [Reached { symbol: a, frames: vec![7, 8] }, Reached { symbol: b, frames: vec![3, 7] }];
+/// let reached = [Reached { symbol: a, frames: &[7, 8] }, Reached { symbol: b, frames: &[3, 7] }];
 /// assert_eq!(read_word(&reached), [b, a]);
 /// ```
 pub fn read_word(reached: &[Reached]) -> Word {

@@ -1,6 +1,6 @@
 //! Sub-goals put in the order of the alphabet.
 
-use super::reading::Reading;
+use super::subset_study::Found;
 use crate::pdfa::Symbol;
 use crate::specification::SubGoal;
 use crate::sub_goal::Cluster;
@@ -8,19 +8,18 @@ use crate::word::{Reached, completions};
 
 /// The sub-goals in order, and where each was reached.
 #[derive(Default)]
-pub(super) struct Alphabet {
+pub(super) struct Alphabet<'a> {
     pub(super) sub_goals: Vec<SubGoal>,
     /// For each sub-goal and demonstration the frames in which it holds.
-    reached: Vec<Vec<Vec<usize>>>,
+    reached: Vec<&'a [Vec<usize>]>,
 }
 
-impl Alphabet {
-    /// Adds the sub-goals of subset `index`, in the order of the earliest frame in which they are first reached; ties go
-    /// to the smaller center.
-    pub(super) fn add_subset(&mut self, reading: &Reading, index: usize, found: Vec<Cluster>) {
-        let (recording, _) = reading.subset(index);
-        let reached = |cluster: Cluster| (reading.frames_reached(index, &cluster.ball), cluster);
-        let mut clusters: Vec<(Vec<Vec<usize>>, Cluster)> = found.into_iter().map(reached).collect();
+impl<'a> Alphabet<'a> {
+    /// Adds the sub-goals of a subset, in the order of the earliest frame in which they are first reached; ties go to the
+    /// smaller center.
+    pub(super) fn add_subset(&mut self, found: &'a Found) {
+        let reached = found.reached.iter().map(Vec::as_slice);
+        let mut clusters: Vec<(&[Vec<usize>], &Cluster)> = reached.zip(&found.search.found).collect();
         clusters.sort_by(|(a_frames, a), (b_frames, b)| {
             let by_center = || {
                 let pairs = a.ball.center.iter().zip(&b.ball.center);
@@ -32,8 +31,8 @@ impl Alphabet {
         for (number, (frames, cluster)) in clusters.into_iter().enumerate() {
             self.sub_goals.push(SubGoal {
                 id: Symbol(self.sub_goals.len() as u32),
-                name: format!("{} {}", recording.name, number + 1),
-                ball: Some(cluster.ball),
+                name: format!("{} {}", found.search.parameters.name, number + 1),
+                ball: Some(cluster.ball.clone()),
                 frames: cluster.frames,
                 demonstrations: cluster.demonstrations,
                 color: None,
@@ -45,8 +44,8 @@ impl Alphabet {
     /// The word of a demonstration, each symbol with the frame in which it was completed.
     pub(super) fn completions(&self, demonstration: usize) -> Vec<(Symbol, usize)> {
         let pairs = self.sub_goals.iter().zip(&self.reached);
-        let reached = pairs
-            .map(|(sub_goal, frames)| Reached { symbol: sub_goal.id, frames: frames[demonstration].clone() });
+        let reached =
+            pairs.map(|(sub_goal, frames)| Reached { symbol: sub_goal.id, frames: &frames[demonstration] });
         completions(&reached.collect::<Vec<_>>())
     }
 }

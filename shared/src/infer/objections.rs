@@ -2,12 +2,32 @@
 
 use std::collections::BTreeSet;
 
-use super::InferError;
+use super::{InferError, InferRequest};
 use crate::demonstration::{Demonstration, Feature};
-use crate::subset::{Setting, SubsetRequest};
+use crate::subset::{Setting, SubsetRequest, propose_subsets};
+
+/// The subsets that `request` asks for, or those that the features propose where it names none.
+///
+/// # Errors
+///
+/// Those of [`infer`](super::infer).
+pub fn requested_subsets(
+    demonstrations: &[Demonstration],
+    request: &InferRequest,
+) -> Result<Vec<SubsetRequest>, InferError> {
+    let first = demonstrations.first().ok_or(InferError::NoDemonstrations)?;
+    check_same_features(demonstrations)?;
+    let features = first.features();
+    let subsets = match request.subsets.as_slice() {
+        [] => propose_subsets(features),
+        subsets => subsets.to_vec(),
+    };
+    check_subsets(&subsets, features)?;
+    Ok(subsets)
+}
 
 /// All demonstrations must have the features of the first, in any order.
-pub(super) fn check_same_features(demonstrations: &[Demonstration]) -> Result<(), InferError> {
+fn check_same_features(demonstrations: &[Demonstration]) -> Result<(), InferError> {
     let names = |demonstration: &Demonstration| -> BTreeSet<String> {
         demonstration.features().iter().map(|feature| feature.name.clone()).collect()
     };
@@ -26,7 +46,7 @@ pub(super) fn check_same_features(demonstrations: &[Demonstration]) -> Result<()
 }
 
 /// Every subset must be one of the features, with parameters that DBSCAN takes.
-pub(super) fn check_subsets(subsets: &[SubsetRequest], features: &[Feature]) -> Result<(), InferError> {
+fn check_subsets(subsets: &[SubsetRequest], features: &[Feature]) -> Result<(), InferError> {
     let known: BTreeSet<&str> = features.iter().map(|feature| feature.name.as_str()).collect();
     let mut names = BTreeSet::new();
     for subset in subsets {

@@ -1,62 +1,29 @@
-//! Demonstrations as the subsets of a specification see them, and the words read from them.
+//! The words of demonstrations in an alphabet that is there already.
 
+use super::subset_study::{DemonstrationKey, SubsetStudy, tell};
 use crate::demonstration::Demonstration;
+use crate::parallel;
 use crate::pdfa::Word;
 use crate::points::Track;
-use crate::rest::{Stay, SubsetRecording, SubsetStays, stays};
+use crate::rest::{Stay, SubsetRecording, SubsetStays};
 use crate::specification::{Ball, Specification};
 use crate::sub_goal::{Method, frames_reached};
 use crate::word::{Reached, read_word};
 
-/// The recordings of all subsets, with their stays where frames at rest are looked at.
-pub(super) struct Reading {
-    recordings: Vec<SubsetRecording>,
-    stays: Option<Vec<SubsetStays>>,
-}
-
-impl Reading {
-    /// Looks at `demonstrations` through `subsets`: name and features of each.
-    pub(super) fn new(
-        demonstrations: &[Demonstration],
-        subsets: &[(&str, &[String])],
-        method: Method,
-    ) -> Self {
-        let recording = |&(name, features): &(&str, &[String])| {
-            let track = |demonstration: &Demonstration| {
-                let columns = features.iter().filter_map(|name| demonstration.feature_index(name));
-                Track::new(demonstration, &columns.collect::<Vec<_>>())
-            };
-            SubsetRecording::new(name, features, demonstrations.iter().map(track).collect())
-        };
-        let recordings = subsets.iter().map(recording);
-        match method {
-            Method::Published => Self { recordings: recordings.collect(), stays: None },
-            Method::AtRest => {
-                let recordings: Vec<_> = recordings.map(|recording| recording.cleaned()).collect();
-                let stays = stays(&recordings);
-                Self { recordings, stays: Some(stays) }
-            }
-        }
-    }
-
-    /// The recording of subset `index`, and its stays where frames at rest are looked at.
-    pub(super) fn subset(&self, index: usize) -> (&SubsetRecording, Option<&SubsetStays>) {
-        (&self.recordings[index], self.stays.as_ref().map(|stays| &stays[index]))
-    }
-
-    /// For each demonstration the frames in which a sub-goal with `ball` in subset `index` holds.
-    pub(super) fn frames_reached(&self, index: usize, ball: &Ball) -> Vec<Vec<usize>> {
-        let (recording, stays) = self.subset(index);
-        // Where nothing is ever put down, an expert has restored a place of another kind: then every stay counts.
-        let is_rest = |stay: &&Stay| stay.kind.is_rest() && ball.contains(&stay.dwell.center);
-        let is_resting_place =
-            stays.is_some_and(|stays| stays.demonstrations.iter().flatten().any(|it| is_rest(&it)));
-        let in_demonstration = |(demonstration, track): (usize, &Track)| {
-            let stays = stays.map(|stays| stays.demonstrations[demonstration].as_slice());
-            frames_reached(ball, track, stays, |kind| kind.is_rest() || !is_resting_place)
-        };
-        recording.tracks.iter().enumerate().map(in_demonstration).collect()
-    }
+/// For each demonstration the frames in which a sub-goal with `ball` holds.
+pub(super) fn frames_reached_everywhere(
+    ball: &Ball,
+    recording: &SubsetRecording,
+    stays: Option<&SubsetStays>,
+) -> Vec<Vec<usize>> {
+    // Where nothing is ever put down, an expert has restored a place of another kind: then every stay counts.
+    let is_rest = |stay: &Stay| stay.kind.is_rest() && ball.contains(&stay.dwell.center);
+    let is_resting_place = stays.is_some_and(|stays| stays.demonstrations.iter().flatten().any(is_rest));
+    let in_demonstration = |(demonstration, track): (usize, &Track)| {
+        let stays = stays.map(|stays| stays.demonstrations[demonstration].as_slice());
+        frames_reached(ball, track, stays, |kind| kind.is_rest() || !is_resting_place)
+    };
+    recording.tracks.iter().enumerate().map(in_demonstration).collect()
 }
 
 /// Reads the word of each demonstration in the alphabet of a specification that is there already: by rests where it was
@@ -66,29 +33,34 @@ impl Reading {
 ///
 /// # Complexity
 ///
-/// O(F · A) for F observed frames and A sub-goals, and that of [`stays`].
+/// O(F · A) for F observed frames and A sub-goals, and that of [`stays`](crate::rest::stays).
 pub fn read_words(specification: &Specification, demonstrations: &[Demonstration]) -> Vec<Word> {
-    let subsets = &specification.subsets;
-    let parts: Vec<(&str, &[String])> =
-        subsets.iter().map(|subset| (subset.name.as_str(), subset.features.as_slice())).collect();
-    let by_rests = subsets.iter().any(|subset| subset.min_dwell > 1);
+    let parameters = &specification.subsets;
+    let by_rests = parameters.iter().any(|subset| subset.min_dwell > 1);
     let method = if by_rests { Method::AtRest } else { Method::Published };
-    let reading = Reading::new(demonstrations, &parts, method);
-    let reached: Vec<(_, Vec<Vec<usize>>)> = specification
-        .sub_goals
-        .iter()
-        .filter_map(|sub_goal| {
-            let ball = sub_goal.ball.as_ref()?;
-            let index = subsets.iter().position(|subset| subset.name == ball.subset)?;
-            Some((sub_goal.id, reading.frames_reached(index, ball)))
-        })
-        .collect();
+    let keys: Vec<DemonstrationKey> =
+        (0..demonstrations.len()).map(|index| DemonstrationKey(index as u64)).collect();
+    let mut subsets = parallel::map(parameters.len(), |index| {
+        let (name, features) = (&parameters[index].name, &parameters[index].features);
+        let mut subset = SubsetStudy::default();
+        let track = |index: usize| Track::of_features(&demonstrations[index], features);
+        subset.look(name, features, method, &keys, track);
+        subset
+    });
+    tell(&mut subsets);
+    let in_ball = |ball: &Ball| {
+        let index = parameters.iter().position(|subset| subset.name == ball.subset)?;
+        let (recording, stays) = subsets[index].recording();
+        Some(frames_reached_everywhere(ball, recording, stays))
+    };
+    let of_sub_goals = specification.sub_goals.iter();
+    let reached: Vec<(_, Vec<Vec<usize>>)> =
+        of_sub_goals.filter_map(|sub_goal| Some((sub_goal.id, in_ball(sub_goal.ball.as_ref()?)?))).collect();
     let word = |demonstration: usize| {
-        let of_sub_goal = |(symbol, frames): &(_, Vec<Vec<usize>>)| Reached {
-            symbol: *symbol,
-            frames: frames[demonstration].clone(),
-        };
-        read_word(&reached.iter().map(of_sub_goal).collect::<Vec<_>>())
+        let reached = reached
+            .iter()
+            .map(|(symbol, frames)| Reached { symbol: *symbol, frames: &frames[demonstration] });
+        read_word(&reached.collect::<Vec<_>>())
     };
     (0..demonstrations.len()).map(word).collect()
 }

@@ -6,6 +6,8 @@ mod way;
 
 use std::collections::BTreeMap;
 
+use serde::{Deserialize, Serialize};
+
 use super::{Kind, Stay, SubsetRecording, SubsetStays};
 use crate::points::{Track, distance, median};
 use account::Account;
@@ -13,7 +15,7 @@ use agreement::{Known, agreed_direction};
 use way::{Stop, Way, arrival, departure};
 
 /// The one direction in which a thing is put down, opposite to the one in which it is taken up.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Axis {
     /// Unit vector.
     pub down: Vec<f64>,

@@ -5,7 +5,11 @@ use crate::dwell::{Dwell, Scales, dwells, min_dwell, start_point};
 use crate::points::{Track, distance};
 
 /// Dwells of a subset in all demonstrations, all but the starts taken for rests.
-pub(super) fn first_look(recording: &SubsetRecording) -> SubsetStays {
+///
+/// # Complexity
+///
+/// O(frames x features).
+pub fn first_look(recording: &SubsetRecording) -> SubsetStays {
     let scales = recording.scales;
     let min_dwell = min_dwell(&recording.tracks, scales);
     let demonstrations =
