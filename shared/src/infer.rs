@@ -4,6 +4,7 @@ mod alphabet;
 mod cleaning;
 mod conclusion;
 mod from_words;
+mod keys;
 mod objections;
 mod reading;
 mod study;
@@ -20,10 +21,11 @@ use crate::subset::SubsetRequest;
 pub use crate::sub_goal::{Eliminated, Method, RadiusRule};
 pub use conclusion::conclude;
 pub use from_words::infer_words;
+pub use keys::{DemonstrationKey, DemonstrationKeys};
 pub use objections::requested_subsets;
 pub use reading::read_words;
 pub use study::Study;
-pub use subset_study::{DemonstrationKey, Found, Seen, SubsetStudy, tell};
+pub use subset_study::{Found, Seen, SubsetStudy, tell};
 
 /// What to infer and how.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

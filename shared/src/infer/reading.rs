@@ -1,6 +1,7 @@
 //! The words of demonstrations in an alphabet that is there already.
 
-use super::subset_study::{DemonstrationKey, SubsetStudy, tell};
+use super::keys::DemonstrationKey;
+use super::subset_study::{SubsetStudy, tell};
 use crate::demonstration::Demonstration;
 use crate::parallel;
 use crate::pdfa::Word;

@@ -1,10 +1,9 @@
 //! Inferring again and again from demonstrations and a request that change a little each time.
 
-use std::collections::BTreeMap;
-
 use super::conclusion::conclude;
+use super::keys::{DemonstrationKey, DemonstrationKeys};
 use super::objections::requested_subsets;
-use super::subset_study::{DemonstrationKey, SubsetStudy, tell};
+use super::subset_study::{SubsetStudy, tell};
 use super::{InferError, InferRequest, Inference, Progress, RadiusRule};
 use crate::demonstration::Demonstration;
 use crate::parallel;
@@ -28,8 +27,7 @@ use crate::subset::SubsetRequest;
 /// was not about.
 #[derive(Clone, Debug, Default)]
 pub struct Study {
-    demonstrations: Vec<(Demonstration, DemonstrationKey)>,
-    next_key: u64,
+    keys: DemonstrationKeys,
     subsets: Vec<SubsetStudy>,
 }
 
@@ -54,7 +52,7 @@ impl Study {
     ) -> Result<Inference, InferError> {
         let subsets = requested_subsets(demonstrations, request)?;
         let steps = Steps { subsets: subsets.len() };
-        let keys = self.number(demonstrations);
+        let keys = self.keys.number(demonstrations);
         let is_other_list = self.take_up(&subsets);
         let is_other_look = self.look(demonstrations, &keys, &subsets, request.method, steps, progress);
         if is_other_list || is_other_look {
@@ -90,24 +88,6 @@ impl Study {
             recording.name == request.name && recording.features == request.features
         };
         self.subsets.iter().find(is_it)
-    }
-
-    /// The keys of `demonstrations`, those of the last inference for those that were there.
-    fn number(&mut self, demonstrations: &[Demonstration]) -> Vec<DemonstrationKey> {
-        let mut known: BTreeMap<usize, Vec<DemonstrationKey>> = BTreeMap::new();
-        for (demonstration, key) in self.demonstrations.iter().rev() {
-            known.entry(demonstration.address()).or_default().push(*key);
-        }
-        let mut new_key = || {
-            self.next_key += 1;
-            DemonstrationKey(self.next_key)
-        };
-        let key = |demonstration: &Demonstration| {
-            known.get_mut(&demonstration.address()).and_then(Vec::pop).unwrap_or_else(&mut new_key)
-        };
-        let keys: Vec<DemonstrationKey> = demonstrations.iter().map(key).collect();
-        self.demonstrations = demonstrations.iter().cloned().zip(keys.iter().copied()).collect();
-        keys
     }
 
     /// Puts what is known of `subsets` in their order and forgets the others. Tells whether the list is another one.

@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 use serde::{Deserialize, Serialize};
 
 use super::cleaning::{joined, split, wild_frames};
+use super::keys::DemonstrationKey;
 use super::reading::frames_reached_everywhere;
 use crate::dbscan::DbscanParameters;
 use crate::dwell::{Scales, scales};
@@ -14,10 +15,6 @@ use crate::points::Track;
 use crate::rest::{SubsetRecording, SubsetStays, first_look, tell_kinds};
 use crate::sub_goal::{Method, RadiusRule, SubGoalSearch, find_sub_goals, parameters_left_to_the_engine};
 use crate::subset::{Setting, SubsetRequest};
-
-/// The number that a demonstration goes by while it is studied. No other one gets it later.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub struct DemonstrationKey(pub u64);
 
 /// What is known of one subset in all demonstrations, kept from one inference to the next.
 ///
@@ -214,13 +211,8 @@ impl SubsetStudy {
         find_sub_goals(recording, stays, &request, radius)
     }
 
-    /// Whether the last look was at the same.
-    pub(super) fn is_of(
-        &self,
-        features: &[String],
-        method: Method,
-        demonstrations: &[DemonstrationKey],
-    ) -> bool {
+    /// Whether the last look was at the same: another one would show nothing new.
+    pub fn is_of(&self, features: &[String], method: Method, demonstrations: &[DemonstrationKey]) -> bool {
         let is_same = self.recording.features == features && self.method == method;
         is_same && self.demonstrations == demonstrations
     }
