@@ -214,7 +214,16 @@ fn usual_speed(tracks: &[Track], scales: Scales) -> Option<f64> {
     None
 }
 
-/// A track without the frames in which the thing was seen far from where it was shortly before and after.
+/// A track without its [wild detections](wild_detections).
+///
+/// # Complexity
+///
+/// O(frames x features).
+pub fn without_wild_detections(track: &Track, scales: Scales) -> Track {
+    track.clone().without(&wild_detections(track, scales))
+}
+
+/// The positions in `track` at which the thing was seen far from where it was shortly before and after, ascending.
 ///
 /// A frame is wild when it is far from the median of the five around it, compared with how far those are from it
 /// (Hampel's identifier, 1974).
@@ -222,25 +231,21 @@ fn usual_speed(tracks: &[Track], scales: Scales) -> Option<f64> {
 /// # Complexity
 ///
 /// O(frames x features).
-pub fn without_wild_detections(track: &Track, scales: Scales) -> Track {
+pub fn wild_detections(track: &Track, scales: Scales) -> Vec<usize> {
     const WINDOW: usize = 5;
     if track.len() < WINDOW {
-        return track.clone();
+        return Vec::new();
     }
     let dimension = track.points.dimension();
-    let mut kept = Track { frames: Vec::new(), points: Points::new(dimension) };
-    for index in 0..track.len() {
+    let is_wild = |&index: &usize| {
         let first = index.saturating_sub(WINDOW / 2).min(track.len() - WINDOW);
         let around = (first..first + WINDOW).map(|at| track.points.point(at));
         let center = median_point(dimension, &around);
         let spread = median(around.map(|point| distance(point, &center)).collect());
-        let point = track.points.point(index);
-        if distance(point, &center) <= 4.0 * spread + 2.0 * scales.stillness {
-            kept.frames.push(track.frames[index]);
-            kept.points.push(point);
-        }
-    }
-    kept
+        let from_center = distance(track.points.point(index), &center);
+        from_center > 4.0 * spread + 2.0 * scales.stillness
+    };
+    (0..track.len()).filter(is_wild).collect()
 }
 
 #[cfg(test)]

@@ -158,6 +158,42 @@ impl Track {
         Self::new(demonstration, &columns.collect::<Vec<_>>())
     }
 
+    /// A track of which no frame was observed.
+    pub(crate) fn unobserved(dimension: usize) -> Self {
+        Self { points: Points::new(dimension), ..Self::default() }
+    }
+
+    /// Adds an observation in `frame`, which is after all that are there.
+    pub(crate) fn push(&mut self, frame: usize, point: &[f64]) {
+        self.frames.push(frame);
+        self.points.push(point);
+    }
+
+    /// The track without the observations at `positions`, which are ascending and below [`Track::len`].
+    ///
+    /// # Complexity
+    ///
+    /// O(frames x features), nothing when there are no positions.
+    #[must_use]
+    pub fn without(self, positions: &[usize]) -> Self {
+        if positions.is_empty() {
+            return self;
+        }
+        let mut kept = Self::unobserved(self.points.dimension());
+        let mut left_out = positions.iter().peekable();
+        for position in 0..self.len() {
+            if left_out.next_if_eq(&&position).is_none() {
+                kept.push(self.frame(position), self.points.point(position));
+            }
+        }
+        kept
+    }
+
+    /// The index of the frame of the observation at `position`, which is below [`Track::len`].
+    pub fn frame(&self, position: usize) -> usize {
+        self.frames[position]
+    }
+
     /// How many frames were observed.
     pub fn len(&self) -> usize {
         self.frames.len()

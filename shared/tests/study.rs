@@ -92,7 +92,7 @@ impl Question {
         study.infer(&self.demonstrations(), &self.request(), &mut |_| {})
     }
 
-    fn from_scratch(&self) -> Result<Inference, InferError> {
+    fn anew(&self) -> Result<Inference, InferError> {
         infer(&self.demonstrations(), &self.request(), &mut |_| {})
     }
 }
@@ -126,7 +126,7 @@ proptest! {
         let mut last = question.ask(&mut study).ok();
         for change in changes {
             question.change(change, last.as_ref());
-            let expected = question.from_scratch();
+            let expected = question.anew();
             prop_assert_eq!(&question.ask(&mut study), &expected);
             last = expected.ok();
         }
@@ -203,7 +203,7 @@ fn trying_parameters_gives_what_inferring_with_them_gives_and_changes_nothing() 
     let (mut question, mut study) = asked();
     question.subsets[0].epsilon = Setting::Fixed(0.01);
     let tried = study.sub_goals(&question.subsets[0], RadiusRule::Robust).unwrap();
-    let inference = question.from_scratch().unwrap();
+    let inference = question.anew().unwrap();
     assert_eq!(tried.parameters, inference.specification.subsets[0]);
     let of_subset =
         |subset: &str| inference.eliminated.iter().filter(|it| it.cluster.ball.subset == subset).count();

@@ -5,11 +5,11 @@ use std::sync::OnceLock;
 
 use serde::{Deserialize, Serialize};
 
-use super::cleaning::{joined, split, wild_frames};
+use super::cleaning::{Wild, joined, split};
 use super::keys::DemonstrationKey;
 use super::reading::frames_reached_everywhere;
 use crate::dbscan::DbscanParameters;
-use crate::dwell::{Scales, scales};
+use crate::dwell::{Scales, wild_detections};
 use crate::parallel;
 use crate::points::Track;
 use crate::rest::{SubsetRecording, SubsetStays, first_look, tell_kinds};
@@ -35,7 +35,7 @@ pub struct SubsetStudy {
     /// The scales of the tracks before they were cleaned.
     unclean: Scales,
     /// What was left out of each track.
-    wild: Vec<Track>,
+    wild: Vec<Wild>,
     /// The stays as this subset alone shows them.
     first_look: Option<SubsetStays>,
     /// The stays as all subsets together show them.
@@ -51,7 +51,7 @@ pub struct Seen {
     pub unclean: Scales,
     /// The scales of the tracks without their wild detections.
     pub clean: Scales,
-    /// For each demonstration the frames that are wild detections, ascending.
+    /// For each demonstration the positions in its track of the wild detections, ascending.
     pub wild: Vec<Vec<usize>>,
     /// The stays as the subset alone shows them, where frames at rest are looked at.
     pub stays: Option<SubsetStays>,
@@ -92,15 +92,20 @@ impl SubsetStudy {
         }
         let (before, unclean_before) = (self.method, self.unclean);
         let (tracks, known_wild) = self.take_tracks(features, demonstrations, track);
-        let unclean = scales(tracks.iter());
+        let whole = SubsetRecording::new(name, features, tracks);
+        let unclean = whole.scales;
         let is_known = before == method && unclean_before == unclean;
-        let wild = parallel::map(tracks.len(), |index| match (&known_wild[index], method) {
+        let wild = parallel::map(known_wild.len(), |index| match (&known_wild[index], method) {
             (_, Method::Published) => Vec::new(),
-            (Some(frames), Method::AtRest) if is_known => frames.clone(),
-            (_, Method::AtRest) => wild_frames(&tracks[index], unclean),
+            (Some(positions), Method::AtRest) if is_known => positions.clone(),
+            (_, Method::AtRest) => wild_detections(&whole.tracks[index], unclean),
         });
-        let (tracks, wild) = split_all(tracks, &wild);
-        let recording = SubsetRecording::new(name, features, tracks);
+        let (recording, wild) = if wild.iter().all(Vec::is_empty) {
+            (whole, vec![Wild::default(); wild.len()])
+        } else {
+            let (tracks, wild) = split_all(whole.tracks, &wild);
+            (SubsetRecording::new(name, features, tracks), wild)
+        };
         let first_look = (method == Method::AtRest).then(|| first_look(&recording));
         let demonstrations = demonstrations.to_vec();
         *self = Self { recording, method, demonstrations, unclean, wild, first_look, ..Self::default() };
@@ -138,7 +143,7 @@ impl SubsetStudy {
         Seen {
             unclean: self.unclean,
             clean: self.recording.scales,
-            wild: self.wild.iter().map(|track| track.frames.clone()).collect(),
+            wild: self.wild.iter().map(|wild| wild.positions.clone()).collect(),
             stays: self.first_look.clone(),
         }
     }
@@ -217,7 +222,7 @@ impl SubsetStudy {
         is_same && self.demonstrations == demonstrations
     }
 
-    /// The whole tracks in `demonstrations`, and of those that were known the wild frames. Leaves no track behind.
+    /// The whole tracks in `demonstrations`, and of those that were known the positions of the wild detections. Leaves no track behind.
     fn take_tracks(
         &mut self,
         features: &[String],
@@ -230,11 +235,11 @@ impl SubsetStudy {
             let with_wild = tracks.zip(std::mem::take(&mut self.wild));
             known.extend(std::mem::take(&mut self.demonstrations).into_iter().zip(with_wild));
         }
-        let taken: Vec<Option<(Track, Track)>> = demonstrations.iter().map(|key| known.remove(key)).collect();
+        let taken: Vec<Option<(Track, Wild)>> = demonstrations.iter().map(|key| known.remove(key)).collect();
         let new: Vec<usize> = (0..taken.len()).filter(|&index| taken[index].is_none()).collect();
         let mut new_tracks = parallel::map(new.len(), |number| track(new[number])).into_iter();
-        let whole = |known: Option<(Track, Track)>| match known {
-            Some((tame, wild)) => Some((joined(tame, &wild), Some(wild.frames))),
+        let whole = |known: Option<(Track, Wild)>| match known {
+            Some((tame, wild)) => Some((joined(tame, &wild), Some(wild.positions))),
             None => Some((new_tracks.next()?, None)),
         };
         taken.into_iter().filter_map(whole).unzip()
@@ -265,7 +270,7 @@ pub fn tell(subsets: &mut [SubsetStudy]) {
     }
 }
 
-/// Every track without its wild frames, and those alone.
-fn split_all(tracks: Vec<Track>, wild: &[Vec<usize>]) -> (Vec<Track>, Vec<Track>) {
-    tracks.into_iter().zip(wild).map(|(track, frames)| split(track, frames)).unzip()
+/// Every track without its wild detections, and those alone.
+fn split_all(tracks: Vec<Track>, wild: &[Vec<usize>]) -> (Vec<Track>, Vec<Wild>) {
+    tracks.into_iter().zip(wild).map(|(track, positions)| split(track, positions)).unzip()
 }
