@@ -28,6 +28,7 @@ pub mod fix;
 pub mod history;
 pub mod import;
 pub mod infer;
+mod kd_tree;
 pub mod language;
 pub mod layout;
 pub mod merge_candidates;

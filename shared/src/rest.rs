@@ -18,9 +18,12 @@ mod late_starts;
 mod left_alone;
 mod pauses;
 
+use std::ops::Range;
+
 use serde::{Deserialize, Serialize};
 
-use crate::dwell::{Dwell, Scales, scales, without_wild_detections};
+use crate::dwell::{Dwell, Scales, scales, wild_detections};
+use crate::parallel;
 use crate::points::Track;
 pub use axis::Axis;
 pub use first_look::first_look;
@@ -44,15 +47,25 @@ pub struct SubsetRecording {
 impl SubsetRecording {
     /// The tracks of a subset with their scales.
     pub fn new(name: &str, features: &[String], tracks: Vec<Track>) -> Self {
-        let scales = scales(tracks.iter());
+        let scales = scales(&tracks);
         Self { name: name.to_owned(), features: features.to_vec(), tracks, scales }
     }
 
     /// The recording without the wild detections in its tracks.
+    ///
+    /// # Complexity
+    ///
+    /// O(frames x features); tracks in which nothing is wild stay where they are.
     #[must_use]
-    pub fn cleaned(&self) -> Self {
-        let clean = |track: &Track| without_wild_detections(track, self.scales);
-        Self::new(&self.name, &self.features, self.tracks.iter().map(clean).collect())
+    pub fn cleaned(self) -> Self {
+        let wild =
+            parallel::map(self.tracks.len(), |index| wild_detections(&self.tracks[index], self.scales));
+        if wild.iter().all(Vec::is_empty) {
+            return self;
+        }
+        let clean = |(track, wild): (Track, Vec<usize>)| track.without(&wild);
+        let tracks: Vec<Track> = self.tracks.into_iter().zip(wild).map(clean).collect();
+        Self { scales: scales(&tracks), tracks, ..self }
     }
 }
 
@@ -113,8 +126,9 @@ impl SubsetStays {
 
 /// For how many frames the thing may have been there, those included in which it was not observed just before and after.
 fn frames_possible(track: &Track, dwell: &Dwell) -> f64 {
-    let before = dwell.span.start.checked_sub(1).map_or(0, |index| track.frames[index] + 1);
-    let after = track.frames.get(dwell.span.end).copied().unwrap_or(track.frames[dwell.span.end - 1] + 1);
+    let before = dwell.span.start.checked_sub(1).map_or(0, |position| track.frame(position) + 1);
+    let Range { end, .. } = dwell.span;
+    let after = if end < track.len() { track.frame(end) } else { track.frame(end - 1) + 1 };
     (after - before) as f64
 }
 
@@ -156,7 +170,7 @@ mod tests {
     pub(super) fn recording(name: &str, demonstrations: &[&[(f64, usize)]]) -> SubsetRecording {
         let track = |stretches: &&[(f64, usize)]| {
             let x: Vec<f64> = stretches.iter().flat_map(|&(x, frames)| vec![x; frames]).collect();
-            Track { frames: (0..x.len()).collect(), points: Points::from_rows(1, x) }
+            Track::observed_throughout(Points::from_rows(1, x))
         };
         SubsetRecording::new(name, &[format!("{name}.x")], demonstrations.iter().map(track).collect())
     }

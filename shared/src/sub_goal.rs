@@ -157,13 +157,13 @@ pub fn frames_reached(
 ) -> Vec<usize> {
     let inside = |&index: &usize| ball.contains(track.points.point(index));
     let Some(stays) = stays else {
-        return (0..track.len()).filter(inside).map(|index| track.frames[index]).collect();
+        return (0..track.len()).filter(inside).map(|index| track.frame(index)).collect();
     };
     let mut frames = Vec::new();
     for stay in stays.iter().filter(|stay| counts(stay.kind)) {
         let in_ball: Vec<usize> = stay.dwell.span.clone().filter(inside).collect();
         if 2 * in_ball.len() >= stay.dwell.span.len() || ball.contains(&stay.dwell.center) {
-            frames.extend(in_ball.into_iter().map(|index| track.frames[index]));
+            frames.extend(in_ball.into_iter().map(|index| track.frame(index)));
         }
     }
     frames

@@ -229,7 +229,7 @@ mod tests {
             kind: Kind::Rest,
         };
         let stays = [stay(0, start), stay(at + 1, middle), stay(rows.len() - 1, end)];
-        let track = Track { frames: (0..rows.len()).collect(), points };
+        let track = Track::observed_throughout(points);
         Axis { down: vec![0.0, -1.0], reach: 1.0 }.verdict(&track, &stays, 1)
     }
 

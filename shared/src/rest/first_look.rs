@@ -2,6 +2,7 @@
 
 use super::{Kind, Stay, SubsetRecording, SubsetStays};
 use crate::dwell::{Dwell, Scales, dwells, min_dwell, start_point};
+use crate::parallel;
 use crate::points::{Track, distance};
 
 /// Dwells of a subset in all demonstrations, all but the starts taken for rests.
@@ -12,8 +13,9 @@ use crate::points::{Track, distance};
 pub fn first_look(recording: &SubsetRecording) -> SubsetStays {
     let scales = recording.scales;
     let min_dwell = min_dwell(&recording.tracks, scales);
+    let tracks = &recording.tracks;
     let demonstrations =
-        recording.tracks.iter().map(|track| stays_of_track(track, scales, min_dwell)).collect();
+        parallel::map(tracks.len(), |index| stays_of_track(&tracks[index], scales, min_dwell));
     SubsetStays { scales, min_dwell, shortest_left: 0.0, axis: None, demonstrations }
 }
 

@@ -3,6 +3,7 @@
 use std::ops::RangeInclusive;
 
 use super::{Kind, Stay, SubsetRecording, SubsetStays};
+use crate::dwell::Dwell;
 use crate::points::{Track, distance, quantile};
 
 /// A thing has moved when it is further than this share of its travel from where it was: less may be a hand that brushes
@@ -14,8 +15,10 @@ const SHORT_QUANTILE: f64 = 0.2;
 
 /// Tells which of the rests of all subsets are left alone.
 pub(super) fn tell_left_alone(recordings: &[SubsetRecording], subsets: &mut [SubsetStays]) {
+    let moves: Vec<_> =
+        recordings.iter().zip(&*subsets).map(|(recording, stays)| moves(recording, stays)).collect();
     let left_alone: Vec<Vec<Vec<bool>>> =
-        (0..subsets.len()).map(|subset| left_alone(recordings, subsets, subset)).collect();
+        (0..subsets.len()).map(|subset| left_alone(recordings, subsets, &moves, subset)).collect();
     for (stays, left_alone) in subsets.iter_mut().zip(left_alone) {
         let stays = stays.demonstrations.iter_mut().flatten();
         for (stay, left_alone) in stays.zip(left_alone.into_iter().flatten()) {
@@ -40,39 +43,45 @@ pub(super) fn shortest_left(recordings: &[SubsetRecording], subsets: &[SubsetSta
     shortest.fold(f64::INFINITY, f64::min)
 }
 
-/// For each demonstration and stay of `subset` whether the thing was left alone.
-fn left_alone(recordings: &[SubsetRecording], subsets: &[SubsetStays], subset: usize) -> Vec<Vec<bool>> {
+/// For each demonstration and stay of `subset` whether the thing was left alone; `moves` are those of each subset.
+fn left_alone(
+    recordings: &[SubsetRecording],
+    subsets: &[SubsetStays],
+    moves: &[Vec<Vec<usize>>],
+    subset: usize,
+) -> Vec<Vec<bool>> {
     let of_demonstration = |demonstration: usize| {
         let stays = &subsets[subset].demonstrations[demonstration];
-        let frames = &recordings[subset].tracks[demonstration].frames;
-        let others = || (0..subsets.len()).filter(|&other| other != subset);
+        let track = &recordings[subset].tracks[demonstration];
+        let others = || moves.iter().enumerate().filter(|&(other, _)| other != subset);
         let is_left_alone = |(index, stay): (usize, &Stay)| {
-            let frame_span = frames[stay.dwell.span.start]..=frames[stay.dwell.span.end - 1];
-            let moved = |other: usize| {
-                let track = &recordings[other].tracks[demonstration];
-                moves_within(track, &subsets[other], demonstration, &frame_span)
-            };
-            index + 1 == stays.len() || others().any(moved)
+            let frame_span = track.frame(stay.dwell.span.start)..=track.frame(stay.dwell.span.end - 1);
+            let has_moved = |moves: &[Vec<usize>]| is_any_within(&moves[demonstration], &frame_span);
+            index + 1 == stays.len() || others().any(|(_, moves)| has_moved(moves))
         };
         stays.iter().enumerate().map(is_left_alone).collect()
     };
     (0..subsets[subset].demonstrations.len()).map(of_demonstration).collect()
 }
 
-/// Whether the thing moves from one dwell to another mostly within `frame_span`.
-fn moves_within(
-    track: &Track,
-    subset: &SubsetStays,
-    demonstration: usize,
-    frame_span: &RangeInclusive<usize>,
-) -> bool {
+/// For each demonstration the frames in the middle of the moves from one dwell to another, ascending.
+fn moves(recording: &SubsetRecording, subset: &SubsetStays) -> Vec<Vec<usize>> {
     let far = (4.0 * subset.scales.stillness).max(MOVED * subset.scales.travel);
-    subset.demonstrations[demonstration].windows(2).any(|pair| {
-        let leaves = track.frames[pair[0].dwell.span.end - 1];
-        let arrives = track.frames[pair[1].dwell.span.start];
-        let middle = usize::midpoint(leaves, arrives);
-        distance(&pair[0].dwell.center, &pair[1].dwell.center) > far && frame_span.contains(&middle)
-    })
+    let in_demonstration = |(track, stays): (&Track, &Vec<Stay>)| {
+        let pairs = stays.windows(2).map(|pair| [&pair[0].dwell, &pair[1].dwell]);
+        let moves = pairs.filter(|[from, to]| distance(&from.center, &to.center) > far);
+        let middle = |[from, to]: [&Dwell; 2]| {
+            usize::midpoint(track.frame(from.span.end - 1), track.frame(to.span.start))
+        };
+        moves.map(middle).collect()
+    };
+    recording.tracks.iter().zip(&subset.demonstrations).map(in_demonstration).collect()
+}
+
+/// Whether one of the `ascending` frames is in `span`.
+fn is_any_within(ascending: &[usize], span: &RangeInclusive<usize>) -> bool {
+    let first = ascending.partition_point(|frame| frame < span.start());
+    ascending.get(first).is_some_and(|frame| frame <= span.end())
 }
 
 #[cfg(test)]

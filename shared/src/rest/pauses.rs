@@ -2,6 +2,7 @@
 
 use super::axis::{Axis, Verdict};
 use super::{Kind, Stay, SubsetRecording, SubsetStays, frames_possible};
+use crate::kd_tree::KdTree;
 use crate::points::{Track, distance, median};
 
 /// A dwell that is shorter than this share of a typical one is a pause, unless the thing was left alone.
@@ -65,7 +66,7 @@ fn is_creep(track: &Track, stays: &[Stay], index: usize, creep: f64, reach: f64)
     let frames = frames_possible(track, &stays[index].dwell);
     let runs_on = |pair: &[Stay]| {
         let [earlier, later] = [&pair[0].dwell, &pair[1].dwell];
-        let gap = track.frames[later.span.start] - track.frames[earlier.span.end - 1];
+        let gap = track.frame(later.span.start) - track.frame(earlier.span.end - 1);
         gap <= CREEP_GAP && distance(&earlier.center, &later.center) <= reach
     };
     let is_longer = |stay: &Stay| stay.dwell.span.len() as f64 > frames;
@@ -112,7 +113,7 @@ fn tell_held(recording: &SubsetRecording, stays: &mut SubsetStays, axis: &Axis) 
 
 /// What is seen of a thing that is put down for sure.
 struct PutDown {
-    centers: Vec<Vec<f64>>,
+    centers: KdTree,
     /// Within this distance of a center it is the same place.
     near: f64,
     /// A stay of this many frames is no passing pause.
@@ -129,15 +130,16 @@ impl PutDown {
                     (Kind::Rest, Verdict::PutDown) => proper.push(frames_possible(track, &stay.dwell)),
                     _ => continue,
                 }
-                centers.push(stay.dwell.center.clone());
+                centers.push(stay.dwell.center.as_slice());
             }
         }
         let long = BRIEF * median(if proper.is_empty() { left } else { proper });
+        let centers = KdTree::new(recording.features.len(), &centers);
         Self { centers, near: 2.0 * stays.scales.stillness, long }
     }
 
     fn is_near(&self, point: &[f64]) -> bool {
-        self.centers.iter().any(|center| distance(center, point) <= self.near)
+        self.centers.has_within(point, self.near, 1)
     }
 }
 

@@ -119,7 +119,7 @@ mod tests {
     fn recording(demonstrations: &[&[(f64, usize)]]) -> SubsetRecording {
         let track = |stretches: &&[(f64, usize)]| {
             let x: Vec<f64> = stretches.iter().flat_map(|&(x, frames)| vec![x; frames]).collect();
-            Track { frames: (0..x.len()).collect(), points: Points::from_rows(1, x) }
+            Track::observed_throughout(Points::from_rows(1, x))
         };
         SubsetRecording::new("red", &["red.x".to_owned()], demonstrations.iter().map(track).collect())
     }

@@ -89,7 +89,7 @@ fn far_edge(
     let mut previous = edge;
     for index in indices {
         let step = distance(track.points.point(index), track.points.point(previous));
-        if track.frames[index].abs_diff(track.frames[previous]) > 1 && step > LARGEST_STEP * reach {
+        if track.frame(index).abs_diff(track.frame(previous)) > 1 && step > LARGEST_STEP * reach {
             return Edge::Lost;
         }
         if distance(track.points.point(index), &dwell.center) >= reach {
