@@ -16,8 +16,10 @@ mod words;
 use sha2::{Digest, Sha256};
 use thiserror::Error;
 
+use self::recording::Recordings;
 pub use self::words::{Words, import_words};
 use crate::demonstration::Demonstration;
+use crate::parallel;
 
 /// Whether the first line of a table names the columns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -75,12 +77,34 @@ impl ImportError {
 ///
 /// # Complexity
 ///
-/// Linear in the number of bytes. The values are held once more, at 8 bytes each.
+/// Linear in the number of bytes. The values are held once more, at 8 bytes each. With the feature `parallel` the digest
+/// is computed beside the reading.
 pub fn import(name: &str, bytes: &[u8], header: Header) -> Result<Vec<Demonstration>, ImportError> {
+    let (recordings, sha256) = parallel::both(|| read(name, bytes, header), || sha256(bytes));
+    recordings?.into_demonstrations(name, &sha256)
+}
+
+/// As [`import`], for a caller who knows the hexadecimal SHA-256 of `bytes` already.
+///
+/// # Errors
+///
+/// As [`import`].
+pub fn import_digested(
+    name: &str,
+    sha256: &str,
+    bytes: &[u8],
+    header: Header,
+) -> Result<Vec<Demonstration>, ImportError> {
+    read(name, bytes, header)?.into_demonstrations(name, sha256)
+}
+
+fn read(name: &str, bytes: &[u8], header: Header) -> Result<Recordings, ImportError> {
     let text = text::text(bytes, "CSV or JSON")?;
-    let recordings = if json::is_json(name, text) { json::read(text)? } else { table::read(text, header)? };
-    let sha256: String = Sha256::digest(bytes).into_iter().flat_map(hexadecimal).collect();
-    recordings.into_demonstrations(name, &sha256)
+    if json::is_json(name, text) { json::read(text) } else { table::read(text, header) }
+}
+
+fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).into_iter().flat_map(hexadecimal).collect()
 }
 
 fn hexadecimal(byte: u8) -> [char; 2] {

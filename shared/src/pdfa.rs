@@ -1,5 +1,7 @@
 //! The probabilistic deterministic finite automaton, and the two readings of its probabilities.
 
+mod from_words;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::str::FromStr;
@@ -163,62 +165,6 @@ impl Probabilities {
 }
 
 impl Pdfa {
-    /// Infers the automaton from words: the paper's Algorithm 2.
-    ///
-    /// States stand for sets of completed symbols, so `ab` and `ba` end in the same state; they are numbered in the
-    /// order in which the words reach them. Without words there is the initial state alone, not accepting.
-    ///
-    /// # Complexity
-    ///
-    /// O(S · A · log Q) for S symbols in all words, A symbols in the alphabet and Q states.
-    ///
-    /// # Example
-    ///
-    /// ```
-    /// use goalgraph::pdfa::{Pdfa, Symbol};
-    ///
-    /// let (a, b) = (Symbol(0), Symbol(1));
-    /// let pdfa = Pdfa::from_words(&[vec![a, b], vec![b, a]]);
-    /// assert_eq!(pdfa.states.len(), 4);
-    /// ```
-    pub fn from_words(words: &[Word]) -> Self {
-        let initial = StateId(0);
-        let mut pdfa = Self { initial, states: BTreeMap::from([(initial, State::default())]) };
-        let mut by_completed = BTreeMap::from([(BTreeSet::new(), initial)]);
-        for word in words {
-            let end = pdfa.count_word(word, &mut by_completed);
-            let state = pdfa.states.entry(end).or_default();
-            state.end_count += 1;
-            state.end_weight += 1.0;
-            state.accepting = true;
-        }
-        pdfa
-    }
-
-    /// Walks `word` from the initial state, adding what is missing and counting every step; returns where it ends.
-    fn count_word(
-        &mut self,
-        word: &[Symbol],
-        by_completed: &mut BTreeMap<BTreeSet<Symbol>, StateId>,
-    ) -> StateId {
-        let mut completed = BTreeSet::new();
-        let mut source = self.initial;
-        for &symbol in word {
-            completed.insert(symbol);
-            let next_id = StateId(self.states.len() as u32);
-            let target = *by_completed.entry(completed.clone()).or_insert(next_id);
-            self.states
-                .entry(target)
-                .or_insert_with(|| State { completed: completed.clone(), ..State::default() });
-            let ways = &mut self.states.entry(source).or_default().transitions;
-            let way = ways.entry(symbol).or_insert(Transition { target, count: 0, weight: 0.0 });
-            way.count += 1;
-            way.weight += 1.0;
-            source = target;
-        }
-        source
-    }
-
     /// The transition by `symbol` out of `source`.
     pub fn transition(&self, source: StateId, symbol: Symbol) -> Option<&Transition> {
         self.states.get(&source)?.transitions.get(&symbol)

@@ -7,7 +7,8 @@ use goalgraph::import::import_words;
 fn check(text: &str, expected: &str) {
     let shown = match import_words(text.as_bytes()) {
         Ok(file) => {
-            let words: Vec<_> = file.words.iter().map(|word| word.join(" ")).collect();
+            let named = |word| file.named(word).collect::<Vec<_>>().join(" ");
+            let words: Vec<_> = file.words.iter().map(|word| named(word)).collect();
             format!("{} +{}", words.join("/"), file.rejected)
         }
         Err(error) => error.to_string(),

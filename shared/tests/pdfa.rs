@@ -37,6 +37,38 @@ fn any_automaton() -> impl Strategy<Value = Pdfa> {
     })
 }
 
+/// Algorithm 2, step by step.
+fn algorithm_2(words: &[Word]) -> Pdfa {
+    let initial = StateId(0);
+    let mut states = BTreeMap::from([(initial, State::default())]);
+    let mut by_completed = BTreeMap::from([(Set::new(), initial)]);
+    for word in words {
+        let (mut source, mut completed) = (initial, Set::new());
+        for &symbol in word {
+            completed.insert(symbol);
+            let new = StateId(by_completed.len() as u32);
+            let target = *by_completed.entry(completed.clone()).or_insert(new);
+            let completed = completed.clone();
+            states.entry(target).or_insert(State { completed, ..State::default() });
+            let ways = &mut states.get_mut(&source).expect("it is there").transitions;
+            let way = ways.entry(symbol).or_insert(Transition { target, count: 0, weight: 0.0 });
+            way.count += 1;
+            way.weight += 1.0;
+            source = target;
+        }
+        let end = states.get_mut(&source).expect("it is there");
+        end.end_count += 1;
+        end.end_weight += 1.0;
+        end.accepting = true;
+    }
+    Pdfa { initial, states }
+}
+
+/// Symbols of any number, most of them few.
+fn any_symbol() -> impl Strategy<Value = Symbol> {
+    prop_oneof![8 => 0..9_u32, 1 => u32::MAX - 3.., 1 => any::<u32>()].prop_map(Symbol)
+}
+
 /// Every word that the automaton accepts, with its probability; only for automata without cycles.
 fn accepted(pdfa: &Pdfa, probabilities: &Probabilities) -> Vec<(Word, f64)> {
     let mut accepted = Vec::new();
@@ -60,6 +92,15 @@ fn sum(pdfa: &Pdfa, probabilities: &Probabilities, id: StateId) -> f64 {
 }
 
 proptest! {
+    #[test]
+    fn words_give_the_automaton_of_algorithm_2(
+        words in prop::collection::vec(prop::collection::vec(any_symbol(), 0..12), 0..20),
+    ) {
+        let expected = algorithm_2(&words);
+        prop_assert_eq!(&Pdfa::from_words(&words), &expected);
+        prop_assert_eq!(Pdfa::from_words(words.iter().map(Vec::as_slice)), expected);
+    }
+
     #[test]
     fn states_are_the_sets_of_completed_symbols(words in any_words()) {
         let pdfa = Pdfa::from_words(&words);
@@ -185,7 +226,7 @@ fn a_symbol_that_comes_again_stays_in_its_state() {
 
 #[test]
 fn without_words_there_is_the_initial_state_alone() {
-    let pdfa = Pdfa::from_words(&[]);
+    let pdfa = Pdfa::from_words::<Word>([]);
     assert_eq!(pdfa.states.into_iter().collect::<Vec<_>>(), [(StateId(0), State::default())]);
 }
 

@@ -93,7 +93,9 @@ fn a_recorded_robot_stacks_two_blocks_and_puts_one_beside() {
         assert_eq!(ball.subset, *subset);
         assert!(distance(&ball.center, center) < 0.01, "{subset} at {:?}", ball.center);
     }
-    let words = import_words(&std::fs::read(path("words.txt")).unwrap()).unwrap().words;
+    let file = import_words(&std::fs::read(path("words.txt")).unwrap()).unwrap();
+    let words: Vec<Vec<String>> =
+        file.words.iter().map(|word| file.named(word).map(str::to_owned).collect()).collect();
     let name = |symbol| found[symbol as usize].subset.clone();
     let read = specification.demonstrations.iter();
     let read: Vec<Vec<String>> =

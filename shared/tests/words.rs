@@ -28,8 +28,9 @@ fn accepted_words(pdfa: &Pdfa, from: StateId, known: &mut BTreeMap<StateId, u64>
 #[track_caller]
 fn check(path: &str, expected: [usize; 6]) -> Specification {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/");
-    let words = import_words(&std::fs::read(format!("{folder}{path}")).unwrap()).unwrap().words;
-    let specification = infer_words(path, Semantics::MaximumLikelihood, &words);
+    let file = import_words(&std::fs::read(format!("{folder}{path}")).unwrap()).unwrap();
+    let specification = infer_words(path, Semantics::MaximumLikelihood, file.clone());
+    let words = &file.words;
     let pdfa = &specification.pdfa;
     let found = [
         words.len(),
@@ -96,7 +97,7 @@ fn specification(places: &[Place]) -> Specification {
         features: FEATURES.map(Feature::new).to_vec(),
         sub_goals: places.iter().enumerate().map(sub_goal).collect(),
         subsets,
-        pdfa: Pdfa::from_words(&[]),
+        pdfa: Pdfa::from_words::<Word>([]),
         demonstrations: Vec::new(),
     }
 }

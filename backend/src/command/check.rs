@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use goalgraph::demonstration::Demonstration;
-use goalgraph::import::Header;
+use goalgraph::import::{Header, Words};
 use goalgraph::pdfa::Symbol;
 use goalgraph::specification::{Severity, Specification};
 
@@ -70,14 +70,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 fn read_words(specification: &Specification, path: &std::path::Path) -> Result<Vec<Read>, Failure> {
-    let known = |name: &String| {
-        let sub_goal = specification.sub_goals.iter().find(|sub_goal| sub_goal.name == *name);
-        (sub_goal.map(|sub_goal| sub_goal.id), name.clone())
+    let known = |name: String| {
+        let sub_goal = specification.sub_goals.iter().find(|sub_goal| sub_goal.name == name);
+        (sub_goal.map(|sub_goal| sub_goal.id), name)
     };
-    let words = input::read_words(path)?.words;
+    let Words { names, words, .. } = input::read_words(path)?;
+    let names: Vec<(Option<Symbol>, String)> = names.into_iter().map(known).collect();
     let read = words.iter().enumerate().map(|(index, word)| Read {
         name: format!("word {}", index + 1),
-        word: word.iter().map(known).collect(),
+        word: word.iter().map(|symbol| names[symbol.0 as usize].clone()).collect(),
     });
     Ok(read.collect())
 }

@@ -100,7 +100,7 @@ fn from_words(arguments: &Arguments, path: &std::path::Path) -> Result<Inference
     if words.rejected > 0 {
         notes.push(format!("{} marked as rejected and left out", output::count(words.rejected, "word")));
     }
-    let specification = infer_words(&arguments.name, Semantics::from(arguments.semantics), &words.words);
+    let specification = infer_words(&arguments.name, Semantics::from(arguments.semantics), words);
     let completed = vec![Vec::new(); specification.demonstrations.len()];
     Ok(Inference { specification, completed, eliminated: Vec::new(), notes })
 }

@@ -24,7 +24,23 @@ pub(super) enum CellError {
 ///
 /// When the number is not finite or there is something else.
 pub(super) fn number(cell: &[u8], decimal: Decimal) -> Result<f64, CellError> {
-    let text = str::from_utf8(cell).map_err(|_| CellError::Text)?;
+    match leading_number(cell) {
+        Some((value, length)) if length == cell.len() => Ok(value),
+        _ if cell.is_empty() => Ok(f64::NAN),
+        _ => unusual_number(str::from_utf8(cell).map_err(|_| CellError::Text)?, decimal),
+    }
+}
+
+/// The finite number at the beginning of `bytes` and its length; none is no proof that there is none.
+///
+/// Where it ends the text, it is bit for bit what [`str::parse`] makes of it: the double nearest to the decimal, of two
+/// the even one. It is found without bignums (Clinger 1990, *How to read floating point numbers accurately*; Lemire 2021,
+/// *Number parsing at a gigabyte per second*).
+pub(super) fn leading_number(bytes: &[u8]) -> Option<(f64, usize)> {
+    fast_float2::parse_partial(bytes).ok().filter(|(value, _): &(f64, usize)| value.is_finite())
+}
+
+fn unusual_number(text: &str, decimal: Decimal) -> Result<f64, CellError> {
     match text.parse::<f64>() {
         Ok(value) if value.is_infinite() => Err(CellError::Infinite),
         Ok(value) if value.is_nan() => Ok(f64::NAN),

@@ -43,6 +43,8 @@ pub(super) struct Recorder<'a> {
     row: Row,
     before: Vec<f64>,
     place: usize,
+    /// How many values the next demonstration is expected to have.
+    expected: usize,
     ended: BTreeMap<String, usize>,
     parts: Vec<Part>,
 }
@@ -70,7 +72,12 @@ impl<'a> Recorder<'a> {
             label: String::new(),
         };
         let before = row.times.clone();
-        Self { columns, row, before, place: 0, ended: BTreeMap::new(), parts: Vec::new() }
+        Self { columns, row, before, place: 0, expected: 0, ended: BTreeMap::new(), parts: Vec::new() }
+    }
+
+    /// Makes room for one demonstration of about `rows` rows, as far as there is any.
+    pub(super) fn expect_rows(&mut self, rows: usize) {
+        self.expected = rows.saturating_mul(self.columns.features.len());
     }
 
     /// The next row, with everything undefined.
@@ -100,6 +107,7 @@ impl<'a> Recorder<'a> {
 
     /// The demonstrations; a label is left out when there is one demonstration only.
     pub(super) fn finish(mut self) -> Vec<Part> {
+        self.close_part();
         if let [part] = &mut self.parts[..] {
             part.label = None;
         }
@@ -110,7 +118,7 @@ impl<'a> Recorder<'a> {
     fn open_part(&mut self) -> Result<(), RowError> {
         let Some(column) = &self.columns.label else {
             if self.parts.is_empty() {
-                self.parts.push(Part { label: None, values: Vec::new() });
+                self.push_part(None);
             }
             return Ok(());
         };
@@ -133,8 +141,24 @@ impl<'a> Recorder<'a> {
             return Err(RowError::Returned { column, label, place: *ended.get() });
         }
         self.before.fill(f64::NAN);
-        self.parts.push(Part { label: Some(label), values: Vec::new() });
+        self.close_part();
+        self.push_part(Some(label));
         Ok(())
+    }
+
+    fn push_part(&mut self, label: Option<String>) {
+        let mut values = Vec::new();
+        // Where there is no such room, there may be enough for what really comes.
+        values.try_reserve_exact(self.expected).unwrap_or_default();
+        self.parts.push(Part { label, values });
+    }
+
+    /// Gives back what the last demonstration does not need; the next may well be as long.
+    fn close_part(&mut self) {
+        if let Some(part) = self.parts.last_mut() {
+            part.values.shrink_to_fit();
+            self.expected = part.values.len();
+        }
     }
 }
 

@@ -1,15 +1,58 @@
 //! Words written by hand or by other programs, without demonstrations behind them.
 
+use rustc_hash::FxHashMap;
+
 use super::ImportError;
 use super::text::{counted, quoted, text};
+use crate::pdfa::{Symbol, Word};
 
-/// The words of a file.
+/// Words over names.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Words {
-    /// Each word as its symbols, in the order of the file.
-    pub words: Vec<Vec<String>>,
+    /// The alphabet in the order in which the names first appear: `Symbol(n)` stands for the name at `n`.
+    pub names: Vec<String>,
+    /// Each word, in the order of the file.
+    pub words: Vec<Word>,
     /// How many further words the file says are no words of the task; they are left out.
     pub rejected: usize,
+}
+
+/// Collects words; every name is kept once.
+#[derive(Default)]
+struct Collector<'a> {
+    symbols: FxHashMap<&'a str, Symbol>,
+    found: Words,
+}
+
+impl Words {
+    /// The names of the symbols in `word`, which is one of these words.
+    pub fn named<'a>(&'a self, word: &'a [Symbol]) -> impl Iterator<Item = &'a str> {
+        word.iter().map(|symbol| self.names[symbol.0 as usize].as_str())
+    }
+}
+
+impl<T: AsRef<[Vec<String>]> + ?Sized> From<&T> for Words {
+    /// Words whose symbols are given by their names.
+    fn from(words: &T) -> Self {
+        let mut collector = Collector::default();
+        for word in words.as_ref() {
+            collector.push(word.iter().map(String::as_str));
+        }
+        collector.found
+    }
+}
+
+impl<'a> Collector<'a> {
+    fn push(&mut self, word: impl Iterator<Item = &'a str>) {
+        let names = &mut self.found.names;
+        let word = word.map(|name| {
+            *self.symbols.entry(name).or_insert_with(|| {
+                names.push(name.to_owned());
+                Symbol(names.len() as u32 - 1)
+            })
+        });
+        self.found.words.push(word.collect());
+    }
 }
 
 /// Reads words: one a line, symbols separated by blanks; or in the Abbadingo format.
@@ -23,7 +66,8 @@ pub struct Words {
 /// use goalgraph::import::import_words;
 ///
 /// let file = import_words(b"red green blue\nred blue green\n")?;
-/// assert_eq!(file.words[1], ["red", "blue", "green"]);
+/// assert_eq!(file.names, ["red", "green", "blue"]);
+/// assert!(file.named(&file.words[1]).eq(["red", "blue", "green"]));
 ///
 /// let file = import_words(b"3 2\n1 2 0 1\n0 1 1\n1 0\n")?;
 /// assert_eq!((file.words.len(), file.rejected), (2, 1));
@@ -37,12 +81,12 @@ pub struct Words {
 ///
 /// # Complexity
 ///
-/// Linear in the number of bytes.
+/// Linear in the number of bytes. A symbol takes 4 bytes, however long its name is.
 pub fn import_words(bytes: &[u8]) -> Result<Words, ImportError> {
     let text = text(bytes, "words, one a line")?;
     let found = match announced(text) {
         Some(count) => abbadingo(text, count)?,
-        None => Words { words: lines(text).map(|(_, line)| symbols(line)).collect(), rejected: 0 },
+        None => words(text),
     };
     if found.words.is_empty() {
         let rejected = found.rejected;
@@ -61,8 +105,12 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
         .filter(|(_, line)| !line.is_empty())
 }
 
-fn symbols(line: &str) -> Vec<String> {
-    line.split_whitespace().map(str::to_owned).collect()
+fn words(text: &str) -> Words {
+    let mut collector = Collector::default();
+    for (_, line) in lines(text) {
+        collector.push(line.split_whitespace());
+    }
+    collector.found
 }
 
 /// The number of words in the first line of a file in the Abbadingo format.
@@ -82,12 +130,12 @@ fn announced(text: &str) -> Option<usize> {
 }
 
 fn abbadingo(text: &str, announced: usize) -> Result<Words, ImportError> {
-    let mut found = Words::default();
+    let mut collector = Collector::default();
     for (number, line) in lines(text).skip(1) {
         let (label, word) = entry(line).map_err(|message| ImportError::at(number, message))?;
         match label {
-            "1" => found.words.push(word.map(str::to_owned).collect()),
-            "0" => found.rejected += 1,
+            "1" => collector.push(word),
+            "0" => collector.found.rejected += 1,
             _ => {
                 let label = quoted(label);
                 let message = format!("the label is {label}; expected 1 (accepted) or 0 (rejected)");
@@ -95,6 +143,7 @@ fn abbadingo(text: &str, announced: usize) -> Result<Words, ImportError> {
             }
         }
     }
+    let found = collector.found;
     let count = found.words.len() + found.rejected;
     if count != announced {
         let message = format!("the first line announces {announced} words, but {count} follow");

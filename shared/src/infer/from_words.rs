@@ -1,45 +1,56 @@
 //! From words alone to a specification.
 
-use std::collections::BTreeMap;
-
+use crate::import::Words;
 use crate::pdfa::{Pdfa, Semantics, Symbol, Word};
 use crate::specification::{DemonstrationWord, Specification, SubGoal};
 
-/// Infers a specification from words alone: one list of symbol names per demonstration. The alphabet is in the order in
-/// which the names first appear.
+/// Infers a specification from words alone, as they are read from a file, or one list of symbol names per demonstration.
+/// The alphabet is in the order in which the names first appear.
 ///
 /// # Complexity
 ///
-/// O(S log A) for S symbols in all words and A names.
-pub fn infer_words(name: &str, semantics: Semantics, named_words: &[Vec<String>]) -> Specification {
-    let mut symbols: BTreeMap<&str, Symbol> = BTreeMap::new();
-    let mut sub_goals: Vec<SubGoal> = Vec::new();
-    let mut demonstrations = Vec::new();
-    for (number, named_word) in named_words.iter().enumerate() {
-        let mut word = Word::new();
-        for symbol_name in named_word {
-            let symbol = *symbols.entry(symbol_name).or_insert_with(|| {
-                let id = Symbol(sub_goals.len() as u32);
-                let name = symbol_name.clone();
-                sub_goals.push(SubGoal { id, name, ball: None, frames: 0, demonstrations: 0, color: None });
-                id
-            });
-            if !word.contains(&symbol) {
-                sub_goals[symbol.0 as usize].demonstrations += 1;
-            }
-            word.push(symbol);
-        }
-        let name = format!("word {}", number + 1);
-        demonstrations.push(DemonstrationWord { name, sha256: String::new(), frames: 0, word });
-    }
-    let words: Vec<Word> = demonstrations.iter().map(|demonstration| demonstration.word.clone()).collect();
+/// That of [`Pdfa::from_words`]; the words are kept, not copied.
+pub fn infer_words(name: &str, semantics: Semantics, words: impl Into<Words>) -> Specification {
+    let Words { names, words, .. } = words.into();
+    let pdfa = Pdfa::from_words(&words);
+    let demonstrations_with = demonstrations_with(names.len(), &words);
+    let sub_goals = names.into_iter().zip(demonstrations_with).zip((0..).map(Symbol)).map(
+        |((name, demonstrations), id)| SubGoal {
+            id,
+            name,
+            ball: None,
+            frames: 0,
+            demonstrations,
+            color: None,
+        },
+    );
+    let demonstrations = words.into_iter().zip(1..).map(|(word, number)| DemonstrationWord {
+        name: format!("word {number}"),
+        sha256: String::new(),
+        frames: 0,
+        word,
+    });
     Specification {
         name: name.to_owned(),
         semantics,
         features: Vec::new(),
         subsets: Vec::new(),
-        sub_goals,
-        pdfa: Pdfa::from_words(&words),
-        demonstrations,
+        sub_goals: sub_goals.collect(),
+        pdfa,
+        demonstrations: demonstrations.collect(),
     }
+}
+
+/// For each of `symbols` symbols, how many words hold it.
+fn demonstrations_with(symbols: usize, words: &[Word]) -> Vec<usize> {
+    let mut counts = vec![0; symbols];
+    let mut last = vec![0; symbols];
+    for (word, number) in words.iter().zip(1..) {
+        for symbol in word {
+            let symbol = symbol.0 as usize;
+            counts[symbol] += usize::from(last[symbol] != number);
+            last[symbol] = number;
+        }
+    }
+    counts
 }

@@ -73,7 +73,7 @@ impl<'a> Layout<'a> {
             // Spreadsheets open a table with `sep=;`, which the detection needs not be told.
             let is_table = !line.is_empty() && remark.is_none() && !line.starts_with("sep=");
             if is_table || end == body.len() {
-                let body = if is_table { body } else { "" };
+                let body = if is_table { body.trim_start_matches('\u{feff}') } else { "" };
                 return Self { text, body, comment, separator: Separator::detect(line) };
             }
             comment = remark.or(comment);
@@ -95,13 +95,12 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// The byte of the file at which a line begins, or line ends before it.
-    pub(super) fn place_of(&self, record: &ByteRecord) -> usize {
-        let start = self.text.len() - self.body.len();
-        start + record.position().map_or(0, |position| position.byte() as usize)
+    /// The byte of the file at which the body begins.
+    pub(super) fn start(&self) -> usize {
+        self.text.len() - self.body.len()
     }
 
-    /// The number, from 1, of the line that begins at a [`Layout::place_of`].
+    /// The number, from 1, of the line that begins at byte `place` of the file, or behind the line ends there.
     pub(super) fn line_at(&self, place: usize) -> usize {
         let bytes = self.text.as_bytes();
         let ends = bytes.iter().skip(place).take_while(|byte| b"\r\n".contains(byte)).count();
