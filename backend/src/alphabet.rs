@@ -48,7 +48,7 @@ mod tests {
     use super::*;
 
     fn check(names: &[&str], text: &str, expected: Result<u32, &str>) {
-        let word = names.iter().map(|&name| name.to_owned()).collect();
+        let word = names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();
         let specification = infer_words("", Semantics::default(), &[word]);
         let found = find(&specification, text).map(|symbol| symbol.0);
         assert_eq!(found, expected.map_err(str::to_owned), "{text}");

@@ -88,7 +88,7 @@ mod tests {
     use super::*;
 
     fn specification(centers: &[[f64; 2]]) -> Specification {
-        let word = (0..centers.len()).map(|index| format!("place {index}")).collect();
+        let word = (0..centers.len()).map(|index| format!("place {index}")).collect::<Vec<_>>();
         let mut specification = infer_words("", Semantics::default(), &[word]);
         for (sub_goal, center) in specification.sub_goals.iter_mut().zip(centers) {
             let features = vec!["red.x".to_owned(), "red.y".to_owned()];

@@ -111,7 +111,7 @@ mod tests {
 
     /// The color of each sub-goal, given as its subset and its name.
     fn colored(sub_goals: &[(&str, &str)]) -> Vec<String> {
-        let word = sub_goals.iter().map(|(_, name)| (*name).to_owned()).collect();
+        let word = sub_goals.iter().map(|(_, name)| (*name).to_owned()).collect::<Vec<_>>();
         let mut specification = infer_words("", Semantics::default(), &[word]);
         for (sub_goal, (subset, _)) in specification.sub_goals.iter_mut().zip(sub_goals) {
             let (subset, features, center) = ((*subset).to_owned(), Vec::new(), Vec::new());

@@ -21,11 +21,17 @@ pub struct Words {
 #[derive(Default)]
 struct Collector<'a> {
     symbols: FxHashMap<&'a str, Symbol>,
+    /// The word that is being read, so that its own memory is asked for once, as long as it is.
+    word: Word,
     found: Words,
 }
 
 impl Words {
     /// The names of the symbols in `word`, which is one of these words.
+    ///
+    /// # Panics
+    ///
+    /// When `word` has a symbol that none of these words has.
     pub fn named<'a>(&'a self, word: &'a [Symbol]) -> impl Iterator<Item = &'a str> {
         word.iter().map(|symbol| self.names[symbol.0 as usize].as_str())
     }
@@ -45,13 +51,14 @@ impl<T: AsRef<[Vec<String>]> + ?Sized> From<&T> for Words {
 impl<'a> Collector<'a> {
     fn push(&mut self, word: impl Iterator<Item = &'a str>) {
         let names = &mut self.found.names;
-        let word = word.map(|name| {
+        self.word.clear();
+        self.word.extend(word.map(|name| {
             *self.symbols.entry(name).or_insert_with(|| {
                 names.push(name.to_owned());
                 Symbol(names.len() as u32 - 1)
             })
-        });
-        self.found.words.push(word.collect());
+        }));
+        self.found.words.push(self.word.clone());
     }
 }
 

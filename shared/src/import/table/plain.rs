@@ -25,7 +25,9 @@ pub(super) fn read(frames: &mut Frames<'_>, start: usize) -> Result<usize, Impor
     let columns = &frames.names.columns;
     let line = Line { separator: frames.table.separator, roles: &columns.roles };
     if columns.label.is_none() {
-        frames.recorder.expect_rows(estimated_lines(&bytes[start..]));
+        let rest = &bytes[start..];
+        // However short the lines are later on, each has a byte for each column.
+        frames.recorder.expect_rows(estimated_lines(rest).min(rest.len() / columns.roles.len() + 1));
     }
     let mut place = start;
     loop {
@@ -84,6 +86,7 @@ impl Line<'_> {
     }
 
     /// The number in the cell at the beginning of `bytes`, and the cell's length.
+    #[inline]
     fn number(&self, bytes: &[u8]) -> Option<(Result<f64, CellError>, usize)> {
         if let Some((value, length)) = cell::leading_number(bytes)
             && bytes.get(length).is_none_or(|&byte| self.ends_cell(byte))
