@@ -327,7 +327,7 @@ fn weights_that_leave_no_way_to_an_end_are_an_error() {
 #[test]
 fn a_specification_of_nothing_is_valid_but_leads_nowhere() {
     let mut empty = example();
-    empty.pdfa = Pdfa::from_words::<Word>([]);
+    empty.pdfa = Pdfa::from_words(&[]);
     empty.sub_goals.clear();
     empty.demonstrations.clear();
     assert_eq!(Specification::from_json(&empty.to_json()).unwrap(), empty);

@@ -97,7 +97,7 @@ fn specification(places: &[Place]) -> Specification {
         features: FEATURES.map(Feature::new).to_vec(),
         sub_goals: places.iter().enumerate().map(sub_goal).collect(),
         subsets,
-        pdfa: Pdfa::from_words::<Word>([]),
+        pdfa: Pdfa::from_words(&[]),
         demonstrations: Vec::new(),
     }
 }

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use rustc_hash::FxHashMap;
 
-use super::{Pdfa, State, StateId, Symbol, Transition};
+use super::{Pdfa, State, StateId, Symbol, Transition, Word};
 
 /// The automaton while words are counted: flat tables, from which [`Pdfa`]'s ordered ones are made once at the end.
 ///
@@ -39,7 +39,7 @@ impl Pdfa {
     /// # Complexity
     ///
     /// O(S + T · (A + log T)) expected for S symbols in all words, T transitions and A symbols in the alphabet: one
-    /// look-up a symbol, and a set of completed symbols only for a transition that is new. One word is held at a time.
+    /// look-up a symbol, and a set of completed symbols only for a transition that is new.
     ///
     /// # Example
     ///
@@ -50,10 +50,10 @@ impl Pdfa {
     /// let pdfa = Pdfa::from_words(&[vec![a, b], vec![b, a]]);
     /// assert_eq!(pdfa.states.len(), 4);
     /// ```
-    pub fn from_words<W: AsRef<[Symbol]>>(words: impl IntoIterator<Item = W>) -> Self {
+    pub fn from_words<'a>(words: impl IntoIterator<Item = &'a Word>) -> Self {
         let mut counts = Counts::new();
         for word in words {
-            counts.count(word.as_ref());
+            counts.count(word);
         }
         counts.into_pdfa()
     }

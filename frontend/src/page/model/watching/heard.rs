@@ -98,7 +98,7 @@ impl Heard {
 
 #[cfg(test)]
 mod tests {
-    use goalgraph::pdfa::{Pdfa, Word};
+    use goalgraph::pdfa::Pdfa;
     use goalgraph::protocol::monitor::RunOrigin;
     use goalgraph::run::{Phase, Run};
 
@@ -118,7 +118,7 @@ mod tests {
             sha256: String::new(),
             began_at: String::new(),
         };
-        RunView { phase, ..RunView::new(origin, &Run::new(&Pdfa::from_words::<Word>([])), String::new()) }
+        RunView { phase, ..RunView::new(origin, &Run::new(&Pdfa::from_words(&[])), String::new()) }
     }
 
     fn snapshot(executors: Vec<ExecutorView>, runs: Vec<RunView>) -> ToMonitor {
