@@ -7,6 +7,7 @@ use goalgraph::demonstration::Feature;
 use goalgraph::infer::{InferRequest, Progress};
 use goalgraph::layout::{Layout, LayoutRequest};
 use goalgraph::pdfa::Word;
+use goalgraph::subset::SubsetRequest;
 use serde::{Deserialize, Serialize};
 
 /// Identity of a file in the page, never reused.
@@ -44,6 +45,22 @@ pub enum ToWorker {
         /// What to infer and how.
         request: InferRequest,
     },
+    /// Give the distances of the clustered points of a subset to their neighbors, thinned for drawing.
+    KDistances {
+        /// Whose points.
+        of: SubsetOf,
+        /// To which neighbor, the point itself counted.
+        neighbor: usize,
+        /// Which request this is; the answer has the same number.
+        number: u32,
+    },
+    /// Search one subset with the parameters that it has here, and nothing else.
+    Preview {
+        /// The subset.
+        of: SubsetOf,
+        /// Which request this is; the answer has the same number.
+        number: u32,
+    },
     /// Give the values of one demonstration, thinned for drawing.
     Track {
         /// Which one.
@@ -70,6 +87,17 @@ pub enum ToWorker {
     },
 }
 
+/// One subset of an inference.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SubsetOf {
+    /// The files of the inference, in the order of their demonstrations.
+    pub files: Vec<FileId>,
+    /// What is inferred from them and how.
+    pub request: InferRequest,
+    /// The subset, one of the request but for its parameters.
+    pub subset: SubsetRequest,
+}
+
 /// What the worker answers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum FromWorker {
@@ -86,6 +114,20 @@ pub enum FromWorker {
     Progress(Progress),
     /// The inference is done.
     Inferred(Result<Box<Outcome>, String>),
+    /// How far the clustered points of a subset are from their neighbors.
+    KDistances {
+        /// The number of the request.
+        number: u32,
+        /// The distances, or why there are none.
+        result: Result<KDistanceCurve, String>,
+    },
+    /// What was found in one subset.
+    Previewed {
+        /// The number of the request.
+        number: u32,
+        /// The clusters, or why there are none.
+        result: Result<Clusters, String>,
+    },
     /// The values of one demonstration.
     Track {
         /// Which one.
@@ -179,6 +221,43 @@ pub struct EliminatedCluster {
     pub demonstrations: usize,
     /// Why it is no sub-goal.
     pub reason: String,
+}
+
+/// A cluster that would be a sub-goal.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FoundCluster {
+    /// Center, one coordinate per feature of the subset.
+    pub center: Vec<f64>,
+    /// Radius, in the unit of the features.
+    pub radius: f64,
+    /// How many frames were clustered into it.
+    pub frames: usize,
+    /// How many demonstrations have frames in it.
+    pub demonstrations: usize,
+}
+
+/// The clusters of one subset; of very many those with the most frames.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Clusters {
+    /// Those that would be sub-goals.
+    pub found: Vec<FoundCluster>,
+    /// How many there are of them in all.
+    pub found_in_all: usize,
+    /// Those that would be none.
+    pub eliminated: Vec<EliminatedCluster>,
+    /// How many there are of them in all.
+    pub eliminated_in_all: usize,
+}
+
+/// How far points are from their k-th nearest neighbor, as [`goalgraph::k_distance`] measures it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct KDistanceCurve {
+    /// Evenly spaced ones of the sorted distances, the first and the last included.
+    pub distances: Vec<f64>,
+    /// How many points are clustered.
+    pub points: usize,
+    /// No two points are further apart: the diagonal of the box around them.
+    pub extent: f64,
 }
 
 /// Observed partial states of one subset.

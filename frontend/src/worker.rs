@@ -1,5 +1,6 @@
 //! The worker: reads files, infers specifications and places automata while the page stays free.
 
+mod looking;
 mod opening;
 mod recordings;
 mod thin;

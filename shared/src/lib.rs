@@ -29,6 +29,7 @@ pub mod history;
 pub mod import;
 pub mod infer;
 mod kd_tree;
+pub mod k_distance;
 pub mod language;
 pub mod layout;
 pub mod merge_candidates;

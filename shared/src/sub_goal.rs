@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::dbscan::DbscanParameters;
 use crate::parameters::choose_parameters;
-use crate::points::Track;
+use crate::points::{Points, Track};
 use crate::rest::{Kind, Stay, SubsetRecording, SubsetStays, stays as find_stays};
 use crate::specification::{Ball, SubsetParameters};
 use crate::subset::{Setting, SubsetRequest};
@@ -85,10 +85,7 @@ pub fn find_sub_goals(
 ) -> SubGoalSearch {
     let parameters = parameters(recording, stays, request);
     let density = DbscanParameters { epsilon: parameters.epsilon, min_points: parameters.min_points };
-    let candidates = match stays {
-        Some(stays) => Candidates::of_stays(recording, stays, Kind::is_rest),
-        None => Candidates::every_frame(recording),
-    };
+    let candidates = candidates(recording, stays);
     let (mut found, mut eliminated) = (Vec::new(), Vec::new());
     for cluster in candidates.clusters(recording, density, radius) {
         match reason_against(&cluster, recording, stays) {
@@ -105,6 +102,22 @@ pub fn find_sub_goals(
         eliminated.into_iter().partition(|eliminated| is_restored(&eliminated.cluster));
     found.extend(restored.into_iter().map(|restored: Eliminated| restored.cluster));
     SubGoalSearch { parameters, found, eliminated }
+}
+
+/// The partial states in which sub-goals are searched: with `stays` those at rest, without every observed one.
+///
+/// # Complexity
+///
+/// O(n) for n observed partial states.
+pub fn clustered_points(recording: &SubsetRecording, stays: Option<&SubsetStays>) -> Points {
+    candidates(recording, stays).into_points()
+}
+
+fn candidates(recording: &SubsetRecording, stays: Option<&SubsetStays>) -> Candidates {
+    match stays {
+        Some(stays) => Candidates::of_stays(recording, stays, Kind::is_rest),
+        None => Candidates::every_frame(recording),
+    }
 }
 
 fn parameters(

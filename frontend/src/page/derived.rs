@@ -5,6 +5,7 @@ mod keeping;
 mod marks;
 mod picture;
 mod residue;
+mod tuning;
 mod variants;
 mod watched;
 
@@ -35,6 +36,7 @@ pub(crate) use keeping::{Drawing, Keeping, Sign, sha256, state_words};
 pub(crate) use marks::Marks;
 pub(crate) use picture::Picture;
 pub(crate) use residue::Residue;
+pub(crate) use tuning::Tuning;
 pub(crate) use variants::{Fit, Variant, ways};
 pub(crate) use watched::{StateMark, TransitionMark, Watched, Way};
 
@@ -52,6 +54,8 @@ pub(crate) struct Derived {
     pub(crate) basis: Memo<Option<Basis>>,
     /// Whether what is shown was learned from something else than what is there now.
     pub(crate) outdated: Memo<bool>,
+    /// What follows from trying another epsilon.
+    pub(crate) tuning: Tuning,
     /// The specification as it is now, with all edits.
     pub(crate) specification: Memo<Option<Arc<Specification>>>,
     /// What the task is called.
@@ -152,6 +156,7 @@ impl Derived {
             subsets,
             basis,
             outdated: Memo::new(move |_| outdated(model, basis.get().as_ref())),
+            tuning: Tuning::of(model, specification, subsets, basis),
             specification,
             task_name: Memo::new(move |_| {
                 specification.get().map_or_else(|| model.task_name.get(), |it| it.name.clone())

@@ -3,6 +3,7 @@
 mod editing;
 mod keeping;
 mod looking;
+mod tuning;
 mod watching;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -26,6 +27,7 @@ pub(crate) use keeping::{
     Compared, KeepDialog, Keeping, Kept, Lineage, Loading, Onto, Queued, Server, Signing,
 };
 pub(crate) use looking::{Search, Side, Simulation, TextPane, Tidied};
+pub(crate) use tuning::{Attempt, Curve, CurveOf, Found, Tuning, UnderWay};
 pub(crate) use watching::{
     Connection, EventFilter, EventKind, EventLog, Heard, Replay, RunMode, SeenExecutor, Watching,
 };
@@ -210,6 +212,8 @@ pub(crate) struct Model {
     pub(crate) moment: RwSignal<Option<usize>>,
     /// The subset on display.
     pub(crate) subset: RwSignal<usize>,
+    /// Another epsilon for it.
+    pub(crate) tuning: Tuning,
     /// The tab on display.
     pub(crate) tab: RwSignal<Tab>,
     /// What is selected in the automaton, in the order in which it was; the last is what the inspector shows.
@@ -286,6 +290,7 @@ impl Model {
             track: RwSignal::default(),
             moment: RwSignal::default(),
             subset: RwSignal::default(),
+            tuning: Tuning::default(),
             tab: RwSignal::default(),
             selection: RwSignal::default(),
             lit: RwSignal::default(),

@@ -8,6 +8,7 @@ mod open;
 mod save;
 mod select;
 mod simulation;
+mod tuning;
 mod watch;
 mod worker;
 
@@ -34,6 +35,7 @@ use crate::protocol::{FileId, ToWorker};
 pub(crate) use action::Action;
 pub(crate) use keeping::{Choice, KeepAction};
 pub(crate) use select::Flow;
+pub(crate) use tuning::Tune;
 pub(crate) use watch::WatchAction;
 
 /// The app: its state and its line to the worker. A handle.
@@ -87,6 +89,7 @@ impl App {
         autosave::start(self);
         self.start_keeping();
         monitor::start(self);
+        self.follow_curve();
         // Something else was learned or opened.
         Effect::new(move |_| {
             let waiting = self.model.tidied.with(|tidied| tidied.asked != tidied.answered);
@@ -121,6 +124,7 @@ impl App {
             Action::Show(demonstration) => self.show(demonstration),
             Action::ShowNamed(index, frame) => self.show_named(index, frame),
             Action::ShowSubset(index) => model.subset.set(index),
+            Action::Tune(tune) => self.tune(tune),
             Action::GoTo(tab) => {
                 self.settle_mode(tab);
                 model.tab.set(tab);

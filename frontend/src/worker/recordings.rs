@@ -11,16 +11,17 @@ use goalgraph::layout::{Direction, Layout, LayoutRequest, layout};
 use goalgraph::specification::Specification;
 use goalgraph::sub_goal::{Cluster, Eliminated};
 
+use super::looking::{Look, SubsetLook};
 use super::opening::{is_specification, opened};
 use super::thin::{cloud, track};
 use crate::protocol::{
     Completed, DemonstrationEntry, DemonstrationId, EliminatedCluster, FileContent, FileId, FromWorker,
-    Outcome, ToWorker,
+    Outcome, SubsetOf, ToWorker,
 };
 
-/// The demonstrations of each file.
+/// The demonstrations of each file, and the last look at one subset of them.
 #[derive(Default)]
-pub(super) struct Recordings(BTreeMap<FileId, Vec<Demonstration>>);
+pub(super) struct Recordings(BTreeMap<FileId, Vec<Demonstration>>, Option<Look>);
 
 impl Recordings {
     /// Does what `request` asks for; `bytes` are those of the file beside it.
@@ -45,10 +46,19 @@ impl Recordings {
             }
             ToWorker::Forget { file } => {
                 self.0.remove(&file);
+                self.1 = None;
             }
             ToWorker::Infer { files, request } => {
                 let outcome = self.infer(&files, &request, answer);
                 answer(FromWorker::Inferred(outcome.map(Box::new)));
+            }
+            ToWorker::KDistances { of, neighbor, number } => {
+                let result = self.look(&of).map(|look| look.k_distances(neighbor));
+                answer(FromWorker::KDistances { number, result });
+            }
+            ToWorker::Preview { of, number } => {
+                let result = self.look(&of).map(|look| look.clusters(&of.subset));
+                answer(FromWorker::Previewed { number, result });
             }
             ToWorker::Track { demonstration } => {
                 if let Some(track) = self.demonstration(demonstration).map(track) {
@@ -79,6 +89,15 @@ impl Recordings {
 
     fn demonstration(&self, id: DemonstrationId) -> Option<&Demonstration> {
         self.0.get(&id.file)?.get(id.index)
+    }
+
+    /// The subset that `of` names; looking again at the same files costs nothing.
+    fn look(&mut self, of: &SubsetOf) -> Result<SubsetLook<'_>, String> {
+        let known = self.1.take().filter(|look| look.is_of(&of.files, &of.request));
+        let demonstrations = &self.0;
+        let all =
+            || of.files.iter().filter_map(|file| demonstrations.get(file)).flatten().collect::<Vec<_>>();
+        self.1.insert(known.unwrap_or_else(|| Look::new(&of.files, &of.request, &all()))).subset(of)
     }
 
     fn infer(
@@ -127,7 +146,7 @@ fn outcome(
     Ok(Outcome {
         specification: inference.specification.to_json(),
         completed,
-        eliminated: inference.eliminated.into_iter().map(cluster).collect(),
+        eliminated: inference.eliminated.into_iter().map(eliminated).collect(),
         notes: inference.notes,
         clouds,
     })
@@ -140,7 +159,8 @@ fn entry(demonstration: &Demonstration) -> DemonstrationEntry {
     DemonstrationEntry { name: demonstration.name().to_owned(), frames, undefined }
 }
 
-fn cluster(eliminated: Eliminated) -> EliminatedCluster {
+/// A cluster that is no sub-goal, as it travels to the page.
+pub(super) fn eliminated(eliminated: Eliminated) -> EliminatedCluster {
     let Eliminated { cluster: Cluster { ball, frames, demonstrations }, reason } = eliminated;
     let (subset, center, radius) = (ball.subset, ball.center, ball.radius);
     EliminatedCluster { subset, center, radius, frames, demonstrations, reason }

@@ -1,13 +1,20 @@
 //! Recordings thinned for drawing: a screen has a few thousand pixels, whatever the recording has.
 
-use goalgraph::demonstration::Demonstration;
+use std::cmp::Reverse;
 
-use crate::protocol::{Cloud, Track};
+use goalgraph::demonstration::Demonstration;
+use goalgraph::points::Points;
+
+use crate::protocol::{Cloud, KDistanceCurve, Track};
 
 /// How many frames of a track are enough for a wide screen.
 const TRACK_FRAMES: usize = 1200;
 /// How many points of a cloud are enough to see its shape.
 const CLOUD_POINTS: usize = 4000;
+/// How many values of a curve are enough for its width on the screen.
+const CURVE_POINTS: usize = 400;
+/// How many clusters anybody can tell apart in one drawing.
+const DRAWN: usize = 200;
 
 /// The values of a demonstration at evenly spaced frames, at most [`TRACK_FRAMES`] of them.
 pub(super) fn track(demonstration: &Demonstration) -> Track {
@@ -40,6 +47,36 @@ pub(super) fn cloud(demonstrations: &[Demonstration], subset: &str, features: &[
     Cloud { subset: subset.to_owned(), dimensions: features.len(), coordinates }
 }
 
+/// The sorted `distances` of `points`, thinned to at most [`CURVE_POINTS`] of them.
+pub(super) fn curve(points: &Points, distances: &[f64]) -> KDistanceCurve {
+    let last = distances.len().saturating_sub(1);
+    let kept = distances.len().min(CURVE_POINTS);
+    // Text has no infinity; and whoever reads the curve wants no more than a number beyond all others.
+    let distances =
+        (0..kept).map(|number| distances[number * last / (kept - 1).max(1)].min(f64::MAX)).collect();
+    KDistanceCurve { distances, points: points.len(), extent: extent(points).min(f64::MAX) }
+}
+
+/// The diagonal of the box around `points`.
+fn extent(points: &Points) -> f64 {
+    let side = |axis: usize| {
+        let coordinates = points.iter().map(|point| point[axis]);
+        let (low, high) =
+            coordinates.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (x.min(low), x.max(high)));
+        (high - low).max(0.0)
+    };
+    (0..points.dimension()).map(side).map(|side| side * side).sum::<f64>().sqrt()
+}
+
+/// The [`DRAWN`] items that `size` says are largest, in the order that they have.
+pub(super) fn largest<T>(items: Vec<T>, size: impl Fn(&T) -> usize) -> Vec<T> {
+    let mut ranked: Vec<(usize, T)> = items.into_iter().enumerate().collect();
+    ranked.sort_by_key(|(_, item)| Reverse(size(item)));
+    ranked.truncate(DRAWN);
+    ranked.sort_by_key(|(place, _)| *place);
+    ranked.into_iter().map(|(_, item)| item).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use goalgraph::demonstration::Feature;
@@ -70,5 +107,21 @@ mod tests {
     fn a_cloud_leaves_out_what_was_not_observed() {
         let cloud = cloud(&[recording(3)], "all", &["x".to_owned(), "y".to_owned()]);
         assert_eq!(cloud.coordinates, [0.0, 1.0, 4.0, 5.0]);
+    }
+
+    #[test]
+    fn a_long_curve_keeps_its_ends() {
+        let distances: Vec<f64> = (0..1000).map(f64::from).collect();
+        let points = Points::from_rows(2, vec![0.0, 0.0, 3.0, 4.0]);
+        let curve = curve(&points, &distances);
+        assert_eq!((curve.distances.len(), curve.points, curve.extent), (CURVE_POINTS, 2, 5.0));
+        assert_eq!((curve.distances[0], curve.distances[CURVE_POINTS - 1]), (0.0, 999.0));
+    }
+
+    #[test]
+    fn of_very_many_clusters_the_largest_stay_in_their_order() {
+        let sizes: Vec<usize> = (0..1000).map(|number| number * 7 % 1000).collect();
+        let kept = largest(sizes, |&size| size);
+        assert_eq!((kept.len(), kept[0], kept[1]), (DRAWN, 805, 812));
     }
 }

@@ -55,6 +55,11 @@ impl Candidates {
         candidates
     }
 
+    /// The partial states themselves.
+    pub(super) fn into_points(self) -> Points {
+        self.points
+    }
+
     fn none(recording: &SubsetRecording, stillness: Option<f64>) -> Self {
         Self { points: Points::new(recording.features.len()), stretches: Vec::new(), stillness }
     }

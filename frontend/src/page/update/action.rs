@@ -13,6 +13,7 @@ use web_sys::File;
 
 use super::keeping::KeepAction;
 use super::select::Flow;
+use super::tuning::Tune;
 use super::watch::WatchAction;
 use crate::page::model::{Menu, Notice, Overlay, Sample, Selection, Side, Tab, TextPane};
 use crate::protocol::{DemonstrationId, FileId};
@@ -61,6 +62,8 @@ pub(crate) enum Action {
     ShowNamed(usize, Option<usize>),
     /// Show a subset.
     ShowSubset(usize),
+    /// Try or choose other parameters for the subset on display.
+    Tune(Tune),
     /// Show a tab.
     GoTo(Tab),
     /// Select in the automaton, alone.

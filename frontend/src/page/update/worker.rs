@@ -64,6 +64,7 @@ impl App {
             }
         }
         self.model.canceled.set(self.derived.basis.get_untracked());
+        self.ask_again();
     }
 
     pub(super) fn hear(self, report: Report) {
@@ -109,6 +110,8 @@ impl App {
                 }
             }),
             FromWorker::Inferred(result) => self.learned(result),
+            FromWorker::KDistances { number, result } => self.curve_measured(number, result),
+            FromWorker::Previewed { number, result } => self.searched(number, result),
             FromWorker::Track { demonstration, track } => {
                 model.track.set(Some((demonstration, Arc::new(track))));
             }
@@ -152,6 +155,7 @@ impl App {
     fn learned(self, result: Result<Box<Outcome>, String>) {
         let Some(inferring) = self.model.inferring.get_untracked() else { return };
         self.model.inferring.set(None);
+        self.forget_attempt();
         match result {
             Err(reason) => self.say(Notice::alarm(format!("Nothing was inferred: {reason}"))),
             Ok(outcome) => {

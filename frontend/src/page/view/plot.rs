@@ -20,18 +20,18 @@ pub(crate) struct Trace {
 }
 
 /// A ball seen as a disk.
-#[derive(Clone)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Disk {
     /// What is written beside it.
     pub(crate) label: String,
-    /// The class that gives its color.
+    /// The classes that give its look.
     pub(crate) class: String,
     /// Its center.
     pub(crate) center: (f64, f64),
     /// Its radius.
     pub(crate) radius: f64,
-    /// The points in it.
-    pub(crate) points: Vec<(f64, f64)>,
+    /// The points in it, by their positions.
+    pub(crate) points: Vec<usize>,
 }
 
 /// Paths with their starts and ends.
@@ -55,33 +55,35 @@ pub(crate) fn plane_view((across, up): (&str, &str), traces: &[Trace]) -> impl I
     framed((across, up), &plane, paths)
 }
 
-/// Points, and the balls over them.
-pub(crate) fn disks_view(
+/// Points, and over them the balls, which may change; the plane shows all points and has room for the balls `around`.
+pub(crate) fn disks_view<F: Fn() -> Vec<Disk> + Send + 'static>(
     (across, up): (&str, &str),
     points: &[(f64, f64)],
-    disks: &[Disk],
-    eliminated: &[Disk],
-) -> impl IntoView + use<> {
+    around: &[Disk],
+    disks: F,
+) -> impl IntoView + use<F> {
     let rim = |disk: &Disk| {
         let ((x, y), r) = (disk.center, disk.radius);
         [(x - r, y - r), (x + r, y + r)]
     };
-    let plane = plane_of(points.iter().copied().chain(disks.iter().chain(eliminated).flat_map(rim)));
-    let disk = |disk: &Disk, class: &str| {
+    let plane = plane_of(points.iter().copied().chain(around.iter().flat_map(rim)));
+    let dot_of = |&point: &(f64, f64)| dots(std::iter::once(plane.place(point)));
+    let dot_of: Vec<String> = points.iter().map(dot_of).collect();
+    let cloud = dot_of.concat();
+    let disk = move |disk: Disk| {
         let (x, y) = plane.place(disk.center);
         let radius = (disk.radius * plane.scale()).max(3.0);
+        let inside: String = disk.points.iter().map(|&point| dot_of[point].as_str()).collect();
         view! {
-            <g class=format!("{class} {}", disk.class)>
-                <path class="ball-points" d=dots(disk.points.iter().map(|&point| plane.place(point))) />
+            <g class=disk.class>
+                {(!inside.is_empty()).then(|| view! { <path class="ball-points" d=inside /> })}
                 <circle class="ball-rim" cx=format!("{x:.1}") cy=format!("{y:.1}") r=format!("{radius:.1}") />
-                {beside((x, y), radius + 4.0, disk.label.clone())}
+                {(!disk.label.is_empty()).then(|| beside((x, y), radius + 4.0, disk.label))}
             </g>
         }
     };
-    let below = eliminated.iter().map(|it| disk(it, "ball eliminated")).collect_view();
-    let above = disks.iter().map(|it| disk(it, "ball")).collect_view();
-    let cloud = dots(points.iter().map(|&point| plane.place(point)));
-    framed((across, up), &plane, view! { <path class="cloud" d=cloud /> {below} {above} }.into_any())
+    let all = move || disks().into_iter().map(&disk).collect_view();
+    framed((across, up), &plane, view! { <path class="cloud" d=cloud /> {all} }.into_any())
 }
 
 /// A text at the side of a place where there is room.

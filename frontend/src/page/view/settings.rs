@@ -150,14 +150,16 @@ fn set_features(subset: &mut SubsetRequest, text: &str) -> Result<(), String> {
     if subset.features.is_empty() { Err("A subset needs at least one feature.".to_owned()) } else { Ok(()) }
 }
 
-fn set_epsilon(subset: &mut SubsetRequest, text: &str) -> Result<(), String> {
+/// Takes what was typed for epsilon.
+pub(super) fn set_epsilon(subset: &mut SubsetRequest, text: &str) -> Result<(), String> {
     let positive = |value: &f64| value.is_finite() && *value > 0.0;
     subset.epsilon =
         parsed(text, positive).ok_or("epsilon is auto or a number above 0, in the unit of the features.")?;
     Ok(())
 }
 
-fn set_min_points(subset: &mut SubsetRequest, text: &str) -> Result<(), String> {
+/// Takes what was typed for min. points.
+pub(super) fn set_min_points(subset: &mut SubsetRequest, text: &str) -> Result<(), String> {
     subset.min_points =
         parsed(text, |&value: &usize| value > 0).ok_or("min. points is auto or a whole number from 1.")?;
     Ok(())
