@@ -42,6 +42,25 @@ export function threeRecordings(): Recording[] {
   ];
 }
 
+/** A recording in which one thing rests at four places, for `frames` frames at each. */
+export function restingRecording(name: string, frames: number, seed: number): Recording {
+  const random = generator(seed + 1);
+  const tremble = () => 0.002 * (random() + random() - 1);
+  const shift = () => 0.02 * (random() - 0.5);
+  const places = [[0, 0, 0.02], [0.2, 0.1, 0.02], [0.3, -0.1, 0.02], [0.1, -0.2, 0.02]].map(([x, y, z]) => [x + shift(), y + shift(), z]);
+  const lines = ["red.x,red.y,red.z"];
+  const frame = (point: number[]) => lines.push(point.map((value) => (value + tremble()).toFixed(5)).join(","));
+  places.forEach((place, index) => {
+    for (let count = 0; count < frames; count++) frame(place);
+    const next = places[index + 1];
+    for (let step = 1; next && step < 30; step++) {
+      const lift = 0.1 * Math.sin((Math.PI * step) / 30);
+      frame(place.map((value, axis) => value + ((next[axis] - value) * step) / 30 + (axis === 2 ? lift : 0)));
+    }
+  });
+  return { name, text: lines.join("\n") + "\n" };
+}
+
 /** A small generator of numbers from 0 to 1 (mulberry32): the same seed gives the same recording. */
 function generator(seed: number): () => number {
   let state = seed >>> 0;

@@ -160,6 +160,7 @@ impl App {
             Err(reason) => self.say(Notice::alarm(format!("Nothing was inferred: {reason}"))),
             Ok(outcome) => {
                 let first = self.model.learned.with_untracked(Option::is_none);
+                let edited = self.is_edited();
                 self.model.selection.set(Vec::new());
                 self.model.unavailable.update(BTreeSet::clear);
                 self.model.simulation.update(|walk| walk.on = false);
@@ -170,7 +171,7 @@ impl App {
                     }
                 }
                 self.model.learned.set(Some(Learned { basis: inferring.basis, outcome: Arc::from(outcome) }));
-                self.announce(first);
+                self.announce(first, edited);
             }
         }
     }
@@ -183,8 +184,13 @@ impl App {
         self.replace(label, specification);
     }
 
-    /// Says what was learned. The first automaton is shown at once, unless a verdict has to be read before.
-    fn announce(self, first: bool) {
+    /// Whether what was learned or opened last was changed since.
+    fn is_edited(self) -> bool {
+        self.derived.specification.get_untracked() != self.derived.learned.get_untracked()
+    }
+
+    /// Says what was learned, and that edits are not lost. The first automaton is shown at once, unless a verdict has to be read before.
+    fn announce(self, first: bool, edited: bool) {
         let Some(specification) = self.derived.specification.get_untracked() else { return };
         let found = format!(
             "{} and {} from {}.",
@@ -192,7 +198,8 @@ impl App {
             count(specification.pdfa.states.len(), "state"),
             count(specification.demonstrations.len(), "demonstration"),
         );
-        self.say(Notice::calm(found));
+        let back = if edited { " Your edits are one step back: Ctrl+Z." } else { "" };
+        self.say(Notice::calm(found + back));
         let verdicts = self.derived.verdicts.get_untracked();
         let all_accepted = verdicts.iter().all(|(_, verdict)| matches!(verdict, Verdict::Accepted(_)));
         if first && all_accepted && !specification.sub_goals.is_empty() {

@@ -48,6 +48,8 @@ struct Tuned {
     scale: Memo<Option<Scale>>,
     /// The share of its points that are core.
     core: Memo<Option<f64>>,
+    /// What the epsilon that is tried has found, once that was searched.
+    tried: Memo<Option<(f64, Counts)>>,
     /// What epsilon is measured in, with a blank before it; nothing where that is not known.
     unit: Memo<String>,
 }
@@ -75,7 +77,8 @@ impl Tuned {
                 .and_then(|it| unit(&it, &settled()))
                 .map_or_else(String::new, |unit| format!(" {unit}"))
         });
-        Self { app, name: StoredValue::new(name), epsilon, curve, scale, core, unit }
+        let tried = tried(app, name.clone());
+        Self { app, name: StoredValue::new(name), epsilon, curve, scale, core, tried, unit }
     }
 
     /// How many points are core, in words.
@@ -140,7 +143,7 @@ fn parts(tuned: Tuned) -> impl IntoView {
             <div class="k-side">
                 {fields::fields(tuned)}
                 <p>{move || tuned.core_text()}</p>
-                <p class="k-found" aria-live="polite">{move || found(tuned)}</p>
+                <p class="k-found" aria-live="polite" data-epsilon=move || searched(tuned)>{move || found(tuned)}</p>
                 <p class="hint">{move || keeping(tuned)}</p>
             </div>
         </div>
@@ -160,15 +163,22 @@ fn unmeasured(tuned: Tuned) -> Option<impl IntoView> {
 
 /// How many clusters there are with the epsilon on display, as far as they were searched.
 fn found(tuned: Tuned) -> String {
-    let Tuned { app, name, .. } = tuned;
+    let Tuned { app, name, tried, .. } = tuned;
     let name = name.get_value();
-    let counts = tried(app, name.clone()).get().map(|(_, counts)| counts).or_else(|| {
+    let counts = tried.get().map(|(_, counts)| counts).or_else(|| {
         let (specification, outcome) = learned(app)?;
         let found = of_subset(&specification, &name).count();
         Some(Counts { found, eliminated: outcome.eliminated.iter().filter(|it| it.subset == name).count() })
     });
     let Counts { found, eliminated } = counts.unwrap_or_default();
     format!("{}, {} eliminated", count(found, "sub-goal"), grouped(eliminated))
+}
+
+/// The epsilon that the clusters on display were found with.
+fn searched(tuned: Tuned) -> Option<String> {
+    let tried = tuned.tried.get().map(|(epsilon, _)| epsilon);
+    let learned = || tuned.app.derived.tuning.subset.with(|subset| Some(subset.as_ref()?.epsilon));
+    tried.or_else(learned).map(|epsilon| epsilon.to_string())
 }
 
 /// What to do with an epsilon that is tried.
