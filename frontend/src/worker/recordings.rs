@@ -5,13 +5,14 @@ use std::collections::BTreeMap;
 use goalgraph::demonstration::Demonstration;
 use goalgraph::export::{ExportFormat, export};
 use goalgraph::import::{Header, import};
-use goalgraph::infer::{InferRequest, infer};
+use goalgraph::infer::{InferRequest, Inference, Progress, Study};
 use goalgraph::layout::drawing::layout_request;
 use goalgraph::layout::{Direction, Layout, LayoutRequest, layout};
-use goalgraph::specification::Specification;
+use goalgraph::specification::{Specification, SubsetParameters};
 use goalgraph::sub_goal::{Cluster, Eliminated};
+use goalgraph::subset::SubsetRequest;
 
-use super::looking::{Look, SubsetLook};
+use super::looking::{clusters_of, curve_of};
 use super::opening::{is_specification, opened};
 use super::thin::{cloud, track};
 use crate::protocol::{
@@ -19,9 +20,14 @@ use crate::protocol::{
     Outcome, SubsetOf, ToWorker,
 };
 
-/// The demonstrations of each file, and the last look at one subset of them.
+/// The demonstrations of each file, and what is known of them from the last inference.
 #[derive(Default)]
-pub(super) struct Recordings(BTreeMap<FileId, Vec<Demonstration>>, Option<Look>);
+pub(super) struct Recordings {
+    demonstrations: BTreeMap<FileId, Vec<Demonstration>>,
+    study: Study,
+    /// From which files the last inference was, and how, with all its subsets but without their parameters.
+    studied: Option<(Vec<FileId>, InferRequest)>,
+}
 
 impl Recordings {
     /// Does what `request` asks for; `bytes` are those of the file beside it.
@@ -45,19 +51,23 @@ impl Recordings {
                 });
             }
             ToWorker::Forget { file } => {
-                self.0.remove(&file);
-                self.1 = None;
+                self.demonstrations.remove(&file);
+                if self.demonstrations.is_empty() {
+                    *self = Self::default();
+                }
             }
             ToWorker::Infer { files, request } => {
-                let outcome = self.infer(&files, &request, answer);
+                let outcome = self.outcome(&files, &request, answer);
                 answer(FromWorker::Inferred(outcome.map(Box::new)));
             }
             ToWorker::KDistances { of, neighbor, number } => {
-                let result = self.look(&of).map(|look| look.k_distances(neighbor));
+                let curve = self.study_of(&of).map(|study| curve_of(study, &of, neighbor));
+                let result = curve.and_then(|curve| curve.ok_or_else(|| unknown(&of)));
                 answer(FromWorker::KDistances { number, result });
             }
             ToWorker::Preview { of, number } => {
-                let result = self.look(&of).map(|look| look.clusters(&of.subset));
+                let clusters = self.study_of(&of).map(|study| clusters_of(study, &of));
+                let result = clusters.and_then(|clusters| clusters.ok_or_else(|| unknown(&of)));
                 answer(FromWorker::Previewed { number, result });
             }
             ToWorker::Track { demonstration } => {
@@ -83,73 +93,72 @@ impl Recordings {
             features: first.features().to_vec(),
             demonstrations: demonstrations.iter().map(entry).collect(),
         };
-        self.0.insert(file, demonstrations);
+        self.demonstrations.insert(file, demonstrations);
         Ok(content)
     }
 
     fn demonstration(&self, id: DemonstrationId) -> Option<&Demonstration> {
-        self.0.get(&id.file)?.get(id.index)
+        self.demonstrations.get(&id.file)?.get(id.index)
     }
 
-    /// The subset that `of` names; looking again at the same files costs nothing.
-    fn look(&mut self, of: &SubsetOf) -> Result<SubsetLook<'_>, String> {
-        let known = self.1.take().filter(|look| look.is_of(&of.files, &of.request));
-        let demonstrations = &self.0;
-        let all =
-            || of.files.iter().filter_map(|file| demonstrations.get(file)).flatten().collect::<Vec<_>>();
-        self.1.insert(known.unwrap_or_else(|| Look::new(&of.files, &of.request, &all()))).subset(of)
+    /// What is known of the subsets of `of`: as a rule from the last inference.
+    fn study_of(&mut self, of: &SubsetOf) -> Result<&Study, String> {
+        let known =
+            self.studied.as_ref().is_some_and(|known| *known == (of.files.clone(), of.request.clone()));
+        if !known {
+            self.infer(&of.files, &of.request, &mut |_| {})?;
+        }
+        Ok(&self.study)
     }
 
+    /// Infers, and remembers what was learned on the way.
     fn infer(
+        &mut self,
+        files: &[FileId],
+        request: &InferRequest,
+        progress: &mut dyn FnMut(&Progress),
+    ) -> Result<(Inference, Vec<Demonstration>), String> {
+        let known = files.iter().filter_map(|file| self.demonstrations.get(file));
+        let row: Vec<Demonstration> = known.flatten().cloned().collect();
+        let inference = self.study.infer(&row, request, progress).map_err(|error| error.to_string())?;
+        let subset = |known: &SubsetParameters| SubsetRequest {
+            name: known.name.clone(),
+            features: known.features.clone(),
+            ..SubsetRequest::default()
+        };
+        let subsets = inference.specification.subsets.iter().map(subset).collect();
+        self.studied = Some((files.to_vec(), InferRequest { subsets, ..request.clone() }));
+        Ok((inference, row))
+    }
+
+    fn outcome(
         &mut self,
         files: &[FileId],
         request: &InferRequest,
         answer: &mut dyn FnMut(FromWorker),
     ) -> Result<Outcome, String> {
-        let (demonstrations, counts) = self.take_in_order(files);
-        let outcome = outcome(&demonstrations, request, answer);
-        self.put_back(demonstrations, &counts);
-        outcome
-    }
-
-    /// All demonstrations of `files` in one row, and how many each file has. They are moved: there may be gigabytes.
-    fn take_in_order(&mut self, files: &[FileId]) -> (Vec<Demonstration>, Vec<(FileId, usize)>) {
-        let mut row = Vec::new();
-        let mut counts = Vec::new();
-        for &file in files {
-            let demonstrations = self.0.remove(&file).unwrap_or_default();
-            counts.push((file, demonstrations.len()));
-            row.extend(demonstrations);
-        }
-        (row, counts)
-    }
-
-    fn put_back(&mut self, row: Vec<Demonstration>, counts: &[(FileId, usize)]) {
-        let mut row = row.into_iter();
-        for &(file, count) in counts {
-            self.0.insert(file, row.by_ref().take(count).collect());
-        }
+        let progress = &mut |progress: &_| answer(FromWorker::Progress(Clone::clone(progress)));
+        let (inference, row) = self.infer(files, request, progress)?;
+        Ok(outcome(inference, &row))
     }
 }
 
-fn outcome(
-    demonstrations: &[Demonstration],
-    request: &InferRequest,
-    answer: &mut dyn FnMut(FromWorker),
-) -> Result<Outcome, String> {
-    let progress = &mut |progress: &_| answer(FromWorker::Progress(Clone::clone(progress)));
-    let inference = infer(demonstrations, request, progress).map_err(|error| error.to_string())?;
+fn outcome(inference: Inference, demonstrations: &[Demonstration]) -> Outcome {
     let subsets = &inference.specification.subsets;
     let clouds = subsets.iter().map(|subset| cloud(demonstrations, &subset.name, &subset.features)).collect();
     let words = inference.specification.demonstrations.iter().map(|it| it.word.clone());
     let completed = words.zip(inference.completed).map(|(word, frames)| Completed { word, frames }).collect();
-    Ok(Outcome {
+    Outcome {
         specification: inference.specification.to_json(),
         completed,
         eliminated: inference.eliminated.into_iter().map(eliminated).collect(),
         notes: inference.notes,
         clouds,
-    })
+    }
+}
+
+fn unknown(of: &SubsetOf) -> String {
+    format!("there is no subset {}", of.subset.name)
 }
 
 fn entry(demonstration: &Demonstration) -> DemonstrationEntry {

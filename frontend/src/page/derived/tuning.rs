@@ -2,13 +2,12 @@
 
 use std::sync::Arc;
 
-use goalgraph::infer::InferRequest;
 use goalgraph::specification::{Specification, SubsetParameters};
-use goalgraph::subset::{Setting, SubsetRequest};
+use goalgraph::subset::SubsetRequest;
 use leptos::prelude::*;
 
 use crate::page::model::{Basis, CurveOf, Found, Model, Tab};
-use crate::protocol::{KDistanceCurve, SubsetOf};
+use crate::protocol::{KDistanceCurve, SubsetOf, without_parameters};
 
 /// Memos about the subset on display.
 pub(crate) struct Tuning {
@@ -38,29 +37,24 @@ impl Tuning {
             specification.subsets.get(model.subset.get().min(last)).cloned()
         });
         let of = Memo::new(move |_| {
-            let (subset, Basis { files, request }) = (subset.get()?, basis.get()?);
+            let (subset, Basis { files, mut request }) = (subset.get()?, basis.get()?);
+            request.subsets = subsets.get();
             let is_it = |it: &&SubsetRequest| it.name == subset.name && it.features == subset.features;
-            let subset = subsets.with(|subsets| subsets.iter().find(is_it).cloned())?;
-            Some(SubsetOf { files, request, subset })
+            let subset = request.subsets.iter().find(is_it).cloned()?;
+            Some(SubsetOf { files, request: without_parameters(request), subset })
         });
         let wanted = Memo::new(move |_| {
             let is_seen = model.tab.get() == Tab::SubGoals && model.inferring.with(Option::is_none);
             let (of, subset) = (of.get().filter(|_| is_seen)?, subset.get()?);
-            Some(CurveOf {
-                files: of.files,
-                request: without_parameters(of.request),
-                subset: subset.name,
-                neighbor: subset.min_points,
-            })
+            let SubsetOf { files, request, .. } = of;
+            Some(CurveOf { files, request, subset: subset.name, neighbor: subset.min_points })
         });
         let curve = Memo::new(move |_| {
             let (of, subset) = (of.get()?, subset.get()?);
             let (curve_of, curve) = model.tuning.curve.with(|curve| curve.answer.clone())?;
-            let is_it = curve_of.subset == subset.name
-                && curve_of.neighbor == subset.min_points
-                && curve_of.files == of.files
-                && curve_of.request == without_parameters(of.request);
-            is_it.then_some(curve)
+            // Until that to another neighbor is there, it is better than none.
+            let is_it = curve_of.subset == subset.name && curve_of.files == of.files;
+            (is_it && curve_of.request == of.request).then_some(curve)
         });
         let found = Memo::new(move |_| {
             let name = subset.get()?.name;
@@ -69,14 +63,4 @@ impl Tuning {
         });
         Self { subset, of, wanted, curve, found }
     }
-}
-
-/// The points that are clustered do not depend on the parameters that they are clustered with.
-fn without_parameters(mut request: InferRequest) -> InferRequest {
-    for subset in &mut request.subsets {
-        subset.epsilon = Setting::Auto;
-        subset.min_points = Setting::Auto;
-        subset.restored.clear();
-    }
-    request
 }

@@ -64,7 +64,10 @@ impl Scale {
 
     /// The value some steps above `value`, or below it.
     pub(super) fn step(self, value: f64, steps: f64) -> f64 {
-        self.value(self.height(value) + steps / STEPS)
+        let times = |times: f64| self.value(self.height(value) + times * steps / STEPS);
+        // A small step may be rounded away.
+        let next = times(1.0);
+        if next.total_cmp(&value).is_eq() { times(2.0) } else { next }
     }
 
     /// Round values to write beside the scale, from below.
