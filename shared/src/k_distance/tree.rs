@@ -55,7 +55,9 @@ impl Tree {
         let mut cuts = vec![Cut::default(); 2 * points.len() / LEAF + 2];
         halve(points, &mut order, Part { cut: 1, from: 0, to: points.len() }, &mut cuts);
         let mut sorted = Points::new(points.dimension());
-        order.iter().for_each(|&point| sorted.push(points.point(point)));
+        for point in order {
+            sorted.push(points.point(point));
+        }
         Self { points: sorted, cuts }
     }
 
@@ -68,8 +70,9 @@ impl Tree {
 
     fn search(&self, query: &[f64], part: Part, nearest: &mut Nearest) {
         if part.is_leaf() {
-            let points = part.from..part.to;
-            points.for_each(|index| nearest.add(squared_distance(query, self.points.point(index))));
+            for index in part.from..part.to {
+                nearest.add(squared_distance(query, self.points.point(index)));
+            }
             return;
         }
         let Cut { axis, value } = self.cuts[part.cut];

@@ -10,7 +10,7 @@ use crate::page::model::{Attempt, Curve, Found, Notice, UnderWay};
 use crate::protocol::{Clusters, KDistanceCurve, SubsetOf, ToWorker};
 
 /// What is done to the parameters of the subset on display.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) enum Tune {
     /// Try this epsilon.
     To(f64),

@@ -142,6 +142,8 @@ fn parts(tuned: Tuned) -> impl IntoView {
             </div>
             <div class="k-side">
                 {fields::fields(tuned)}
+            </div>
+            <div class="k-said">
                 <p>{move || tuned.core_text()}</p>
                 <p class="k-found" aria-live="polite" data-epsilon=move || searched(tuned)>{move || found(tuned)}</p>
                 <p class="hint">{move || keeping(tuned)}</p>
@@ -171,7 +173,9 @@ fn found(tuned: Tuned) -> String {
         Some(Counts { found, eliminated: outcome.eliminated.iter().filter(|it| it.subset == name).count() })
     });
     let Counts { found, eliminated } = counts.unwrap_or_default();
-    format!("{}, {} eliminated", count(found, "sub-goal"), grouped(eliminated))
+    let eliminated =
+        if eliminated > 0 { format!(", {} eliminated", grouped(eliminated)) } else { String::new() };
+    count(found, "sub-goal") + &eliminated
 }
 
 /// The epsilon that the clusters on display were found with.

@@ -20,7 +20,7 @@ pub(super) fn places(app: App) -> Option<impl IntoView> {
     let points = Arc::new(points_of(cloud));
     let none = of_subset(&specification, &subset.name).next().is_none();
     let settled = settled(app, &points, &specification, &outcome, &subset.name);
-    let planes = planes(app, &subset, points, Arc::new(settled), specification);
+    let planes = planes(app, &subset, &points, &Arc::new(settled), specification);
     Some(view! {
         <header class="section-head places-head">
             <h2>{subset.name.clone()}</h2>
@@ -34,8 +34,8 @@ pub(super) fn places(app: App) -> Option<impl IntoView> {
 fn planes(
     app: App,
     subset: &SubsetParameters,
-    points: Arc<Points>,
-    settled: Arc<Vec<Place>>,
+    points: &Arc<Points>,
+    settled: &Arc<Vec<Place>>,
     specification: Arc<Specification>,
 ) -> impl IntoView + use<> {
     let axes: Vec<&str> = subset.features.iter().map(|name| axis(name)).collect();
@@ -45,7 +45,7 @@ fn planes(
         _ => vec![(0, 1), (0, 2)],
     };
     let shown = Memo::new({
-        let (points, settled) = (Arc::clone(&points), Arc::clone(&settled));
+        let (points, settled) = (Arc::clone(points), Arc::clone(settled));
         move |_| match app.derived.tuning.found.get() {
             Some(found) => Arc::new(tried(app, &points, &specification, &found.subset, &found.clusters)),
             None => Arc::clone(&settled),

@@ -19,6 +19,7 @@ pub(super) fn fields(tuned: Tuned) -> impl IntoView {
     let epsilon = move || tuned.epsilon.get().to_string();
     let min_points =
         move || app.derived.tuning.subset.with(|it| it.as_ref().map(|it| it.min_points.to_string()));
+    let is_tried = move || app.model.tuning.attempt.with(Option::is_some);
     let give_back = move |_| {
         let (epsilon, min_points) = (Some(Setting::Auto), Some(Setting::Auto));
         app.act(Action::Tune(Tune::Choose { epsilon, min_points }));
@@ -30,7 +31,7 @@ pub(super) fn fields(tuned: Tuned) -> impl IntoView {
                 <input
                     inputmode="decimal"
                     prop:value=epsilon
-                    on:change=move |event| take(tuned, &event, set_epsilon, untrack(epsilon))
+                    on:change=move |event| take(tuned, &event, set_epsilon, &untrack(epsilon))
                 />
             </label>
             <label class="field">
@@ -38,7 +39,7 @@ pub(super) fn fields(tuned: Tuned) -> impl IntoView {
                 <input
                     inputmode="numeric"
                     prop:value=move || min_points().unwrap_or_default()
-                    on:change=move |event| take(tuned, &event, set_min_points, untrack(min_points).unwrap_or_default())
+                    on:change=move |event| take(tuned, &event, set_min_points, &untrack(min_points).unwrap_or_default())
                 />
             </label>
         </div>
@@ -52,7 +53,7 @@ pub(super) fn fields(tuned: Tuned) -> impl IntoView {
             >
                 "Automatic"
             </button>
-            <span class="hint">{move || chosen_by(automatic.get())}</span>
+            <span class="hint">{move || (!is_tried()).then(|| chosen_by(automatic.get()))}</span>
         </div>
     }
 }
@@ -76,7 +77,7 @@ fn take(
     tuned: Tuned,
     event: &web_sys::Event,
     change: fn(&mut SubsetRequest, &str) -> Result<(), String>,
-    before: String,
+    before: &str,
 ) {
     let app = tuned.app;
     let Some(of) = app.derived.tuning.of.get_untracked() else { return };
@@ -90,5 +91,5 @@ fn take(
         }
         Err(reason) => app.act(Action::Say(Notice::alarm(reason))),
     }
-    event_target::<HtmlInputElement>(event).set_value(&before);
+    event_target::<HtmlInputElement>(event).set_value(before);
 }

@@ -39,7 +39,7 @@ pub(super) fn handle(tuned: Tuned) -> impl IntoView {
     // Whoever goes to another tab has not said that it is to be kept.
     on_cleanup(move || {
         if is_held(tuned) {
-            act(tuned, Tune::Abort)
+            act(tuned, Tune::Abort);
         }
     });
     view! {
