@@ -190,7 +190,7 @@ test("a specification without its recordings has no curve, and says so", async (
 
 test("dragging over a hundred thousand points stays fluid", async ({ page }) => {
   test.setTimeout(180_000);
-  const recordings: Recording[] = Array.from({ length: 10 }, (_, seed) => restingRecording(`${seed}.csv`, 3500, seed));
+  const recordings: Recording[] = Array.from({ length: 10 }, (_, seed) => restingRecording(`${seed}.csv`, 4000, seed));
   await openSubGoals(page, (page) => drop(page, recordings));
   await expect(slider(page)).toHaveAttribute("aria-valuetext", /of 1\d\d\s\d{3} points are core/);
 
