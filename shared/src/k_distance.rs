@@ -1,9 +1,7 @@
 //! How far points are from their neighbors: the curve that epsilon is read from.
 
-mod tree;
-
+use crate::kd_tree::KdTree;
 use crate::points::Points;
-use tree::Tree;
 
 /// The distances of points to their `k`-th nearest neighbor, themselves included as in DBSCAN, ascending: of all points
 /// or, where there are more, of `sample` of them, evenly spaced in their order. Empty with fewer than `k` points: then no
@@ -30,12 +28,29 @@ pub fn k_distances(points: &Points, k: usize, sample: usize) -> Vec<f64> {
     if points.len() < k {
         return Vec::new();
     }
-    let tree = Tree::new(points);
+    let tree = KdTree::new(points.dimension(), &points.iter().collect::<Vec<_>>());
     let query = |number: usize| points.point(number * points.len() / size);
     let mut distances: Vec<f64> =
-        (0..size).map(|number| least_epsilon(tree.squared_distance(query(number), k))).collect();
+        (0..size).map(|number| least_epsilon(kth_square(&tree, query(number), k))).collect();
     distances.sort_by(f64::total_cmp);
     distances
+}
+
+/// Square of the distance from `query` to the `k`-th nearest of at least `k` points.
+fn kth_square(tree: &KdTree, query: &[f64], k: usize) -> f64 {
+    let mut nearest = Vec::with_capacity(k + 1);
+    tree.search(
+        query,
+        f64::INFINITY,
+        |_| false,
+        |_, square| {
+            let at = nearest.partition_point(|&known| known <= square);
+            nearest.insert(at, square);
+            nearest.truncate(k);
+            if nearest.len() == k { nearest[k - 1] } else { f64::INFINITY }
+        },
+    );
+    nearest.last().copied().unwrap_or(f64::INFINITY)
 }
 
 /// The smallest number whose square, as it is rounded, is at least `square`: the least epsilon that reaches so far.

@@ -82,11 +82,12 @@ pub fn mean<'a>(dimension: usize, points: impl Iterator<Item = &'a [f64]>) -> Ve
     let mut mean = vec![0.0; dimension];
     let mut count = 0_usize;
     for point in points {
-        mean.iter_mut().zip(point).for_each(|(sum, x)| *sum += x);
+        for (sum, x) in mean.iter_mut().zip(point) {
+            *sum += x;
+        }
         count += 1;
     }
-    mean.iter_mut().for_each(|sum| *sum /= count.max(1) as f64);
-    mean
+    mean.into_iter().map(|sum| sum / count.max(1) as f64).collect()
 }
 
 /// Median of points, coordinate by coordinate; the origin when there are none.

@@ -101,7 +101,7 @@ impl Place {
         }
     }
 
-    /// Both, joined by an edge that is no shorter than any before. The sums are those of Chan, Golub and LeVeque (1983).
+    /// Both, joined by an edge that is no shorter than any before. The sums are those of Chan, Golub and `LeVeque` (1983).
     fn with(self, other: Self, edge: f64) -> Self {
         let (mut all, less) =
             if self.visits.len() < other.visits.len() { (other, self) } else { (self, other) };
