@@ -36,7 +36,14 @@ mod csv;
 
 mod other_hand;
 
+mod clouds;
+mod shuffled_words;
+
+pub use clouds::{
+    FRAMES_OF_A_DEMONSTRATION, resting_points, scattered_rests, shuffled_blobs, uniform_points,
+};
 pub use named::{arm, drone, four_blocks, four_places, rebuilt_stack, tower, two_stacks};
 pub use other_hand::held_out_task;
 pub use random::random_task;
+pub use shuffled_words::shuffled_words;
 pub use task::{Place, Recording, Rest, Task, TrueSubset, Unit};

@@ -1,0 +1,83 @@
+//! Demonstrations as the CSV files that people drop.
+
+use goalgraph::demonstration::Demonstration;
+use goalgraph::import::{Header, ImportError, import};
+use goalgraph_tasks::{Task, four_blocks, tower};
+
+/// Frames of each of the [`nine_files`].
+const FRAMES: usize = 300;
+
+/// Frames of a second, which a thing that has come to its last place is seen again and again.
+const LAST_SECOND: usize = 20;
+
+/// A file with its name.
+#[derive(Clone, Debug)]
+pub struct File {
+    /// What it is called.
+    pub name: String,
+    /// What is in it.
+    pub text: String,
+}
+
+/// Nine demonstrations of a tower of three blocks, 300 frames of nine features each, a file a demonstration.
+pub fn nine_files() -> Vec<File> {
+    let mut task = tower(1, 9);
+    for recording in &mut task.demonstrations {
+        let frames = &mut recording.frames;
+        while frames.len() < FRAMES {
+            frames.push(frames[frames.len() - LAST_SECOND.min(frames.len())].clone());
+        }
+        frames.truncate(FRAMES);
+    }
+    let file = |index| File { name: format!("demo_{index:02}.csv"), text: task.csv(index) };
+    (0..task.demonstrations.len()).map(file).collect()
+}
+
+/// At least `megabytes` MB of demonstrations of a tower in one file, numbered by its first column.
+pub fn one_file(megabytes: usize) -> File {
+    let sample = tower(1, 9).csv_all().len().div_ceil(9);
+    let task = tower(1, (megabytes * 1_000_000).div_ceil(sample) + 1);
+    File { name: "demonstrations.csv".to_owned(), text: task.csv_all() }
+}
+
+/// Demonstrations of a tower with about `frames` frames in all, in one file.
+pub fn frames_in_one_file(frames: usize) -> File {
+    let of_nine: usize = tower(1, 9).demonstrations.iter().map(|recording| recording.frames.len()).sum();
+    let task = tower(1, (9 * frames).div_ceil(of_nine));
+    File { name: "demonstrations.csv".to_owned(), text: task.csv_all() }
+}
+
+/// `demonstrations` of four blocks in two stacks, whose order is free where the stacks allow it.
+pub fn blocks(demonstrations: usize) -> Task {
+    four_blocks(1, demonstrations)
+}
+
+/// The demonstrations in a file.
+///
+/// # Errors
+///
+/// When the file breaks its format.
+pub fn read(file: &File) -> Result<Vec<Demonstration>, ImportError> {
+    import(&file.name, file.text.as_bytes(), Header::Detect)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nine_demonstrations_have_three_hundred_frames_each() {
+        let files = nine_files();
+        assert_eq!(files.len(), 9);
+        for file in &files {
+            let demonstrations = read(file).unwrap();
+            assert_eq!((demonstrations.len(), demonstrations[0].frames()), (1, FRAMES));
+        }
+    }
+
+    #[test]
+    fn a_file_is_as_large_as_asked_for() {
+        let length = one_file(1).text.len();
+        assert!((1_000_000..1_100_000).contains(&length), "{length}");
+    }
+}

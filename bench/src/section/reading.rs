@@ -1,0 +1,45 @@
+//! Reading CSV.
+
+use anyhow::Result;
+use goalgraph_bench::recordings::{File, nine_files, one_file, read};
+use sha2::{Digest, Sha256};
+
+use crate::Options;
+use crate::measure::{seconds, take_turns, threads};
+use crate::report::{Report, figures, times};
+
+/// Copies are too quick for a clock where files are small: so many readings are one measurement.
+const SMALL_BYTES: usize = 20_000_000;
+
+pub(super) fn run(options: &Options, report: &mut Report) -> Result<()> {
+    measure(report, "nine files of 300 frames", &nine_files())?;
+    let megabytes = if options.up_to.is_some_and(|most| most < 1_000_000) { 10 } else { 100 };
+    measure(report, &format!("one file of {megabytes} MB"), &[one_file(megabytes)])
+}
+
+fn measure(report: &mut Report, what: &str, files: &[File]) -> Result<()> {
+    let bytes: usize = files.iter().map(|file| file.text.len()).sum();
+    let again = (SMALL_BYTES / bytes).max(1);
+    let every = |work: &dyn Fn(&File)| seconds(|| (0..again).for_each(|_| files.iter().for_each(work)));
+    let one = threads(1)?;
+    let turns = take_turns([
+        &mut || Ok(one.install(|| seconds(|| (0..again).for_each(|_| files.iter().for_each(reading))))),
+        &mut || Ok(every(&|file| drop(std::hint::black_box(file.text.as_bytes().to_vec())))),
+        &mut || {
+            Ok(every(&|file| {
+                std::hint::black_box(Sha256::digest(file.text.as_bytes()));
+            }))
+        },
+    ])?;
+    let rate = (bytes * again) as f64 / turns.seconds(0) / 1e6;
+    report.row(
+        format!("{what}, against copying"),
+        format!("{}, {} MB/s", times(turns.ratio(0, 1)), figures(rate)),
+    );
+    report.row(format!("{what}, against SHA-256"), times(turns.ratio(0, 2)));
+    Ok(())
+}
+
+fn reading(file: &File) {
+    drop(std::hint::black_box(read(file)));
+}
