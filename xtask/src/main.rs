@@ -7,10 +7,12 @@
 //! - [`app`]: the app into `dist/`, then the server that embeds it
 //! - [`test`]: every check, in one run with one verdict
 //! - [`samples`]: the demonstrations that come with the app
+//! - [`bench`]: how fast the engine is, beside others
 //!
 //! [`process`] starts programs and [`progress`] says what is going on.
 
 mod app;
+mod bench;
 mod process;
 mod progress;
 mod project;
@@ -33,7 +35,7 @@ struct Subcommand {
 }
 
 /// What `cargo xtask` can do, in the order of the help.
-const SUBCOMMANDS: [Subcommand; 5] = [
+const SUBCOMMANDS: [Subcommand; 6] = [
     Subcommand {
         name: "run",
         arguments: "[--listen ADDRESS]",
@@ -76,6 +78,12 @@ const SUBCOMMANDS: [Subcommand; 5] = [
         arguments: "",
         help: "write assets/samples/ again, the same bytes every time",
         run: |project, _| samples::regenerate(project).map(|()| ExitCode::SUCCESS),
+    },
+    Subcommand {
+        name: "bench",
+        arguments: "[--peers] [--only SECTION,..] ..",
+        help: "measure the engine, with --peers beside others; --help tells more",
+        run: |project, arguments| bench::measure(project, arguments).map(|()| ExitCode::SUCCESS),
     },
 ];
 

@@ -44,6 +44,16 @@ pub(crate) struct TestTools {
     pub(crate) python: PathBuf,
 }
 
+/// What measuring against other programs needs on top of [`Tools`].
+pub(crate) struct PeerTools {
+    /// What the app and the WebAssembly are built with.
+    pub(crate) build: Tools,
+    /// The browser.
+    pub(crate) chromium: PathBuf,
+    /// The folder of the programs of a Python environment with other learners.
+    pub(crate) python: PathBuf,
+}
+
 /// Installs what building the app and the server needs.
 ///
 /// # Errors
@@ -75,11 +85,24 @@ pub(crate) fn for_test(project: &Project) -> Result<TestTools> {
     let build = for_build(project)?;
     let chromium = chromium::ensure()?;
     let postgres = postgres::ensure()?;
-    let python = python::ensure(project)?;
+    let python = python::ensure(project, &python::TESTS)?;
     browser_tests::ensure(project)?;
     say(&format!("set-up: the browser is {}", chromium.display()));
     say(&format!("set-up: PostgreSQL is in {}", postgres.display()));
     Ok(TestTools { build, chromium, postgres, python })
+}
+
+/// Installs what measuring against other programs needs.
+///
+/// # Errors
+///
+/// When something is missing and cannot be installed.
+pub(crate) fn for_peers(project: &Project) -> Result<PeerTools> {
+    let build = for_build(project)?;
+    let chromium = chromium::ensure()?;
+    let python = python::ensure(project, &python::PEERS)?;
+    browser_tests::ensure(project)?;
+    Ok(PeerTools { build, chromium, python })
 }
 
 impl Tools {
@@ -94,6 +117,28 @@ impl Tools {
     /// Clippy of the compiler that builds the app.
     pub(crate) fn clippy(&self) -> Command {
         let mut command = self.wasm_target.clippy();
+        self.prepare(&mut command);
+        command
+    }
+
+    /// `cargo build` for the browser; the folder of the target's results comes with it.
+    pub(crate) fn build_for_the_browser(&self) -> (Command, PathBuf) {
+        let mut command = self.wasm_target.cargo();
+        self.prepare(&mut command);
+        command.args(["build", "--target", wasm_target::TARGET]);
+        (command, self.wasm_target.results(&self.target).join(wasm_target::TARGET))
+    }
+
+    /// The program that makes a compiled module callable.
+    pub(crate) fn wasm_bindgen(&self) -> Command {
+        let mut command = Command::new("wasm-bindgen");
+        self.prepare(&mut command);
+        command
+    }
+
+    /// The program that makes a module smaller and faster.
+    pub(crate) fn wasm_opt(&self) -> Command {
+        let mut command = Command::new("wasm-opt");
         self.prepare(&mut command);
         command
     }

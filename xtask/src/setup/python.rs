@@ -1,4 +1,5 @@
-//! A Python environment of the project's own, with what the Python executor and the API are tested with.
+//! Python environments of the project's own: one with what the Python executor and the API are tested with, one with
+//! what the engine is measured against.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,27 +12,52 @@ use crate::process::{first_line, on_path, run_quietly};
 use crate::progress::say;
 use crate::project::Project;
 
-/// Makes the environment in the cache folder and installs what `requirements-test.txt` names, unless that is done
-/// already. Returns the folder of its programs.
+/// An environment in the cache folder.
+pub(super) struct Environment {
+    /// Name of its folder.
+    pub(super) folder: &'static str,
+    /// What it is for, to say while it is made.
+    pub(super) purpose: &'static str,
+    /// The list of its packages, from the root of the source.
+    pub(super) requirements: &'static str,
+}
+
+/// What the Python executor and the API are tested with.
+pub(super) const TESTS: Environment = Environment {
+    folder: "python",
+    purpose: "the tests",
+    requirements: "executors/python/requirements-test.txt",
+};
+
+/// What the engine is measured against.
+pub(super) const PEERS: Environment = Environment {
+    folder: "python-peers",
+    purpose: "the peers",
+    requirements: "bench/peers/requirements.txt",
+};
+
+/// Makes the environment and installs what its list names, unless that is done already. Returns the folder of its
+/// programs.
 ///
 /// # Errors
 ///
 /// When there is no Python 3.11 or later, or the packages cannot be installed.
-pub(super) fn ensure(project: &Project) -> Result<PathBuf> {
-    let list = project.python_executor().join("requirements-test.txt");
+pub(super) fn ensure(project: &Project, environment: &Environment) -> Result<PathBuf> {
+    let list = project.root.join(environment.requirements);
     let requirements = fs::read(&list).with_context(|| format!("cannot read {}", list.display()))?;
-    let folder = project.cache.join("python");
+    let folder = project.cache.join(environment.folder);
     let programs = folder.join("bin");
     let stamp = folder.join("installed.txt");
     let runs = first_line(Command::new(programs.join("python")).arg("--version")).is_some();
     if runs && fs::read(&stamp).is_ok_and(|installed| installed == requirements) {
         return Ok(programs);
     }
-    say("set-up: a Python environment for the tests");
+    say(&format!("set-up: a Python environment for {}", environment.purpose));
     make(&folder).context("cannot make a Python environment")?;
     let mut pip = Command::new(programs.join("python"));
     pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r"]).arg(&list);
-    run_quietly(&mut pip).context("cannot install the Python packages of the tests")?;
+    run_quietly(&mut pip)
+        .with_context(|| format!("cannot install the Python packages of {}", environment.purpose))?;
     fs::write(&stamp, requirements).with_context(|| format!("cannot write {}", stamp.display()))?;
     Ok(programs)
 }

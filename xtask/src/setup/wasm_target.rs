@@ -19,6 +19,9 @@ use crate::project::Project;
 /// The target's name.
 pub(super) const TARGET: &str = "wasm32-unknown-unknown";
 
+/// The folder inside the target folder that Debian's compiler puts its results into.
+const DEBIAN_RESULTS: &str = "debian";
+
 /// Some networks swallow connections instead of refusing them.
 const RUSTUP_LIMIT: Duration = Duration::from_mins(3);
 
@@ -78,7 +81,23 @@ impl WasmTarget {
     /// Makes a program that calls cargo use this compiler; `target` is the folder of native builds.
     pub(super) fn prepare(&self, command: &mut Command, target: &Path) {
         if let Self::Debian(toolchain) = self {
-            toolchain.prepare(command, &target.join("debian"));
+            toolchain.prepare(command, &self.results(target));
+        }
+    }
+
+    /// This compiler's cargo.
+    pub(super) fn cargo(&self) -> Command {
+        Command::new(match self {
+            Self::Installed => "cargo",
+            Self::Debian(_) => "/usr/bin/cargo",
+        })
+    }
+
+    /// Where its results are put; `target` is the folder of native builds.
+    pub(super) fn results(&self, target: &Path) -> PathBuf {
+        match self {
+            Self::Installed => target.to_path_buf(),
+            Self::Debian(_) => target.join(DEBIAN_RESULTS),
         }
     }
 
