@@ -44,7 +44,7 @@ pub(super) fn run(options: &Options, report: &mut Report, python: &Path) -> Resu
             borders += compared.borders;
         }
         let measured = format!("{}, {}", times(Spread::of(&ratios)), said(borders, clusters));
-        report.row(format!("{folder}: {points} points in {} subsets", ratios.len()), measured);
+        report.row(format!("{folder}: {points} points, subsets: {}", ratios.len()), measured);
     }
     Ok(())
 }
