@@ -81,7 +81,7 @@ fn unit_ball(dimension: usize) -> f64 {
 
 /// The cluster of each point, `None` for noise.
 pub fn labels(points: &Points, parameters: DbscanParameters) -> Vec<Option<usize>> {
-    dbscan(points, parameters).iter().copied().collect()
+    dbscan(points, parameters).iter().collect()
 }
 
 #[cfg(test)]
