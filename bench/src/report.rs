@@ -84,9 +84,11 @@ impl Report {
         self.push(what.into(), measured.into(), Some(bar));
     }
 
-    /// A curve of the chart.
+    /// A curve of the chart, where there is anything of it.
     pub(crate) fn curve(&mut self, name: impl Into<String>, whose: Whose, times: &[(usize, f64)]) {
-        self.curves.push(Curve { name: name.into(), whose, times: times.to_vec() });
+        if !times.is_empty() {
+            self.curves.push(Curve { name: name.into(), whose, times: times.to_vec() });
+        }
     }
 
     /// The tables, for a reader of Markdown.

@@ -9,7 +9,7 @@ const WIDTH: f64 = 480.0;
 const HEIGHT: f64 = 340.0;
 const LEFT: f64 = 70.0;
 const TOP: f64 = 40.0;
-const RIGHT: f64 = 220.0;
+const RIGHT: f64 = 270.0;
 const BOTTOM: f64 = 60.0;
 
 /// Least distance of two names beside the plot.
