@@ -229,6 +229,7 @@ mod tests {
         let name = |y| Name { text: "", class: String::new(), from: (0.0, y), y };
         let mut names = [100.0, 101.0, 300.0, 102.0].map(name);
         spread(&mut names);
-        assert_eq!(names.each_ref().map(|name| name.y), [300.0, 102.0, 85.0, 68.0]);
+        let heights: Vec<f64> = names.iter().map(|name| name.y).collect();
+        assert_eq!(heights, [300.0, 102.0, 85.0, 68.0]);
     }
 }

@@ -48,13 +48,12 @@ pub(super) fn differing_borders(
     let (mut their_name, mut our_name) = (BTreeMap::new(), BTreeMap::new());
     for (index, (our, their)) in ours.iter().zip(&theirs.labels).enumerate() {
         match (our, their) {
-            (None, None) => {}
             (Some(our), Some(their)) if theirs.is_core[index] => {
                 let is_one = *their_name.entry(our).or_insert(their) == their
                     && *our_name.entry(their).or_insert(our) == our;
                 ensure!(is_one, "core point {index}: our cluster {our} is not their cluster {their}");
             }
-            (Some(_), Some(_)) => {}
+            (None, None) | (Some(_), Some(_)) => {}
             _ => bail!("point {index} is noise for one of us: ours {our:?}, theirs {their:?}"),
         }
     }
