@@ -13,6 +13,7 @@
 //! only (`model`); whatever follows from it is a memo (`derived`); whatever changes it is an action (`update`); whatever
 //! a person can do is a command (`commands`).
 
+#[cfg(feature = "page")]
 pub mod page;
 pub mod protocol;
 pub mod worker;

@@ -1,6 +1,7 @@
 //! The app into `dist/`, then the server that embeds it.
 
 mod compress;
+mod worker;
 
 use std::io::Write;
 use std::os::unix::process::CommandExt;
@@ -38,6 +39,7 @@ pub(crate) fn build(project: &Project, tools: &Tools) -> Result<()> {
     say("app: trunk build");
     let profile = ["--cargo-profile", "wasm-release"];
     run(tools.trunk().args(["build", "--release", "--offline", "--locked"]).args(profile))?;
+    worker::build(project, tools)?;
     for file in compress::compress_folder(&project.dist())? {
         if file.path.extension().is_some_and(|it| it == "wasm") {
             say(&format!("app: {file}"));

@@ -88,11 +88,11 @@ fn build_webassembly(project: &Project, tools: &Tools) -> Result<PathBuf> {
     build.args(["--config", "target.wasm32-unknown-unknown.rustflags=['-Ctarget-feature=+simd128']"]);
     run(&mut build)?;
     let folder = project.target.join("goalgraph-bench-webassembly");
-    let mut bind = tools.wasm_bindgen();
+    let mut bind = tools.program("wasm-bindgen");
     bind.args(["--target", "no-modules", "--no-typescript", "--out-dir"]).arg(&folder);
     run(bind.arg(results.join("wasm-release/goalgraph_bench.wasm")))?;
     let module = folder.join("goalgraph_bench_bg.wasm");
-    run(tools.wasm_opt().args(["-O3", "--all-features", "-o"]).args([&module, &module]))?;
+    run(tools.program("wasm-opt").args(["-O3", "--all-features", "-o"]).args([&module, &module]))?;
     Ok(folder)
 }
 

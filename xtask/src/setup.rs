@@ -24,6 +24,8 @@ use crate::progress::say;
 use crate::project::Project;
 use wasm_target::WasmTarget;
 
+pub(crate) use wasm_target::TARGET;
+
 /// What the app is built with.
 pub(crate) struct Tools {
     root: PathBuf,
@@ -108,9 +110,15 @@ pub(crate) fn for_peers(project: &Project) -> Result<PeerTools> {
 impl Tools {
     /// Trunk, with the compiler and the tools that belong to it.
     pub(crate) fn trunk(&self) -> Command {
-        let mut command = Command::new("trunk");
-        self.prepare(&mut command);
+        let mut command = self.program("trunk");
         command.env("TRUNK_SKIP_VERSION_CHECK", "true");
+        command
+    }
+
+    /// A tool for modules of the browser: `wasm-bindgen`, `wasm-opt`.
+    pub(crate) fn program(&self, name: &str) -> Command {
+        let mut command = Command::new(name);
+        self.prepare(&mut command);
         command
     }
 
@@ -127,20 +135,6 @@ impl Tools {
         self.prepare(&mut command);
         command.args(["build", "--target", wasm_target::TARGET]);
         (command, self.wasm_target.results(&self.target).join(wasm_target::TARGET))
-    }
-
-    /// The program that makes a compiled module callable.
-    pub(crate) fn wasm_bindgen(&self) -> Command {
-        let mut command = Command::new("wasm-bindgen");
-        self.prepare(&mut command);
-        command
-    }
-
-    /// The program that makes a module smaller and faster.
-    pub(crate) fn wasm_opt(&self) -> Command {
-        let mut command = Command::new("wasm-opt");
-        self.prepare(&mut command);
-        command
     }
 
     fn prepare(&self, command: &mut Command) {

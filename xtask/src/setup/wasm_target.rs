@@ -17,7 +17,7 @@ use crate::progress::say;
 use crate::project::Project;
 
 /// The target's name.
-pub(super) const TARGET: &str = "wasm32-unknown-unknown";
+pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
 
 /// The folder inside the target folder that Debian's compiler puts its results into.
 const DEBIAN_RESULTS: &str = "debian";
