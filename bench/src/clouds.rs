@@ -97,10 +97,7 @@ mod tests {
     fn things_at_rest_are_clustered_with_parameters_like_those_the_engine_chooses() {
         let points = Cloud::Resting.points(30 * FRAMES_OF_A_DEMONSTRATION, 3);
         let rows: Vec<&[f64]> = points.iter().collect();
-        let track = |rows: &[&[f64]]| Track {
-            frames: (0..rows.len()).collect(),
-            points: Points::from_rows(3, rows.concat()),
-        };
+        let track = |rows: &[&[f64]]| Track::observed_throughout(Points::from_rows(3, rows.concat()));
         let tracks = rows.chunks(FRAMES_OF_A_DEMONSTRATION).map(track).collect();
         let features = ["x", "y", "z"].map(str::to_owned);
         let recording = SubsetRecording::new("thing", &features, tracks);

@@ -38,7 +38,8 @@ mod tests {
     fn the_text_holds_the_words() {
         let words = words(100);
         assert_eq!((words.len(), sum(&words)), (9, 9 * 66));
-        let read = import_words(text(&words).as_bytes()).unwrap().words;
-        assert_eq!(read[8][11], words[8][11].to_string());
+        let read = import_words(text(&words).as_bytes()).unwrap();
+        assert_eq!(read.words.len(), 9);
+        assert_eq!(read.names[read.words[8][11].0 as usize], words[8][11].to_string());
     }
 }

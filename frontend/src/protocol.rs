@@ -1,14 +1,26 @@
 //! What the page and its worker say to each other: one type on both ends.
 //!
-//! A message is JSON text. A file to read travels beside it as the browser's handle, so its bytes are never copied
-//! through the page.
+//! A message is `MessagePack`, with the names of fields: a float is five or nine bytes and need not be parsed, and NaN is
+//! a number. Files to read travel beside it as the browser's handles, so their bytes are never copied through the page.
 
 use goalgraph::demonstration::Feature;
 use goalgraph::infer::{InferRequest, Progress};
 use goalgraph::layout::{Layout, LayoutRequest};
 use goalgraph::pdfa::Word;
 use goalgraph::subset::{Setting, SubsetRequest};
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
+
+/// The bytes of a message.
+pub(crate) fn encode(message: &impl Serialize) -> Vec<u8> {
+    // Everything that is said can be written to memory.
+    rmp_serde::to_vec_named(message).unwrap_or_default()
+}
+
+/// The message in `bytes`.
+pub(crate) fn decode<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, String> {
+    rmp_serde::from_slice(bytes).map_err(|error| error.to_string())
+}
 
 /// Identity of a file in the page, never reused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -26,13 +38,8 @@ pub struct DemonstrationId {
 /// What the page asks for.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum ToWorker {
-    /// Read the file that travels beside this message and keep its demonstrations.
-    Read {
-        /// Under this identity.
-        file: FileId,
-        /// What the file is called.
-        name: String,
-    },
+    /// Read the files that travel beside this message, in the same order, and keep their demonstrations.
+    Read(Vec<FileToRead>),
     /// Forget the demonstrations of a file.
     Forget {
         /// The file.
@@ -109,22 +116,31 @@ pub(crate) fn without_parameters(mut request: InferRequest) -> InferRequest {
     request
 }
 
+/// A file beside a message.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FileToRead {
+    /// The identity under which its demonstrations are kept.
+    pub file: FileId,
+    /// What it is called.
+    pub name: String,
+}
+
 /// What the worker answers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum FromWorker {
     /// It listens now; what was posted before is lost.
     Ready,
-    /// A file was read.
-    Read {
-        /// The file.
-        file: FileId,
-        /// What is in it, or why nothing is.
-        result: Result<FileContent, String>,
-    },
+    /// Files were read.
+    Read(Vec<ReadFile>),
     /// How far the inference is.
     Progress(Progress),
     /// The inference is done.
-    Inferred(Result<Box<Outcome>, String>),
+    Inferred {
+        /// What came out, or why nothing did.
+        result: Result<Box<Outcome>, String>,
+        /// Where everything is, in each direction of drawing, so that nobody has to ask; empty when nothing came out.
+        layouts: Vec<Layout>,
+    },
     /// How far the clustered points of a subset are from their neighbors.
     KDistances {
         /// The number of the request.
@@ -169,6 +185,15 @@ pub enum FromWorker {
     },
     /// The SVG file.
     Svg(Result<String, String>),
+}
+
+/// A file that was read.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ReadFile {
+    /// The file.
+    pub file: FileId,
+    /// What is in it, or why nothing is.
+    pub result: Result<FileContent, String>,
 }
 
 /// What a file holds: at least one demonstration, all with the same features.
@@ -307,12 +332,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_message_survives_the_way_through_its_text() {
+    fn a_message_survives_the_way_through_its_bytes() {
         let track = Track { frames: 2, stride: 1, features: 1, values: vec![Some(0.5), None] };
         let demonstration = DemonstrationId { file: FileId(3), index: 1 };
         let message = FromWorker::Track { demonstration, track };
-        let text = serde_json::to_string(&message).unwrap();
-        assert_eq!(serde_json::from_str::<FromWorker>(&text).unwrap(), message);
+        assert_eq!(decode::<FromWorker>(&encode(&message)), Ok(message));
+    }
+
+    #[test]
+    fn what_is_left_out_when_it_is_empty_comes_back() {
+        // Formats that write no names cannot do this.
+        let features = vec![Feature::new("x"), Feature { name: "y".to_owned(), unit: Some("m".to_owned()) }];
+        let content = FileContent { sha256: String::new(), features, demonstrations: Vec::new() };
+        let message = FromWorker::Read(vec![ReadFile { file: FileId(7), result: Ok(content) }]);
+        assert_eq!(decode::<FromWorker>(&encode(&message)), Ok(message));
     }
 
     #[test]

@@ -125,6 +125,11 @@ impl Demonstration {
         self.values.len() / self.features.len()
     }
 
+    /// All values in row-major order: frame by frame, in each frame one value per feature.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
     /// The values of frame `index`, one per feature.
     ///
     /// # Panics

@@ -82,17 +82,16 @@ fn asks_for(arguments: &[&String], section: &str) -> bool {
 fn build_webassembly(project: &Project, tools: &Tools) -> Result<PathBuf> {
     say("bench: cargo build for the browser");
     let (mut build, results) = tools.build_for_the_browser();
-    build.args(["--locked", "--package", "goalgraph-bench", "--lib", "--profile", "wasm-release"]);
-    build.args(["--config", "profile.wasm-release.opt-level=3"]);
+    build.args(["--locked", "--package", "goalgraph-bench", "--lib", "--profile", "wasm-worker"]);
     // Not RUSTFLAGS, which would replace what a compiler without a standard library for the browser is told.
     build.args(["--config", "target.wasm32-unknown-unknown.rustflags=['-Ctarget-feature=+simd128']"]);
     run(&mut build)?;
     let folder = project.target.join("goalgraph-bench-webassembly");
     let mut bind = tools.program("wasm-bindgen");
     bind.args(["--target", "no-modules", "--no-typescript", "--out-dir"]).arg(&folder);
-    run(bind.arg(results.join("wasm-release/goalgraph_bench.wasm")))?;
+    run(bind.arg(results.join("wasm-worker/goalgraph_bench.wasm")))?;
     let module = folder.join("goalgraph_bench_bg.wasm");
-    run(tools.program("wasm-opt").args(["-O3", "--all-features", "-o"]).args([&module, &module]))?;
+    run(tools.program("wasm-opt").args(["-O3", "-o"]).args([&module, &module]))?;
     Ok(folder)
 }
 

@@ -108,7 +108,7 @@ impl App {
         match action {
             Action::Open(files) => self.open(files),
             Action::Remove(id) => self.remove(id),
-            Action::ReadAgain(id) => self.read(id),
+            Action::ReadAgain(id) => self.read(&[id]),
             Action::LoadSample(sample) => samples::load(self, sample),
             Action::Clear => self.clear(),
             Action::BringBack => self.bring_back(),

@@ -3,10 +3,11 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
+use leptos::prelude::window;
 use wasm_bindgen::prelude::*;
 use web_sys::{ErrorEvent, File, MessageEvent, Worker, WorkerOptions, WorkerType};
 
-use crate::protocol::{FromWorker, ToWorker};
+use crate::protocol::{FromWorker, ToWorker, decode, encode};
 
 /// What the line reports.
 pub(crate) enum Report {
@@ -46,22 +47,23 @@ impl WorkerLink {
         }
         let options = WorkerOptions::new();
         options.set_type(WorkerType::Module);
-        match Worker::new_with_options("/worker_loader.js", &options) {
+        // `?workers=2` in the page's address says how many workers share what is large.
+        let search = window().location().search().unwrap_or_default();
+        match Worker::new_with_options(&format!("/worker_loader.js{search}"), &options) {
             Ok(worker) => self.listen(worker),
             Err(_) => (self.report)(Report::Broken("the browser starts no worker".to_owned())),
         }
     }
 
-    /// Sends a request, with the file that it is about.
-    pub(crate) fn post(&self, request: &ToWorker, file: Option<&File>) {
-        let text = serde_json::to_string(request).unwrap_or_default();
-        let parts = js_sys::Array::of1(&JsValue::from_str(&text));
-        if let Some(file) = file {
+    /// Sends a request, with the files that it is about.
+    pub(crate) fn post<'a>(&self, request: &ToWorker, files: impl IntoIterator<Item = &'a File>) {
+        let parts = js_sys::Array::of1(&js_sys::Uint8Array::from(encode(request).as_slice()));
+        for file in files {
             parts.push(file);
         }
         let mut line = self.line.borrow_mut();
         match &line.worker {
-            // What is posted is text and a file, which always can be copied.
+            // What is posted are bytes and files, which always can be copied.
             Some(worker) if line.listening => drop(worker.post_message(&parts)),
             _ => line.waiting.push(parts.into()),
         }
@@ -70,8 +72,8 @@ impl WorkerLink {
     fn listen(&self, worker: Worker) {
         let (report, line) = (Rc::clone(&self.report), Rc::downgrade(&self.line));
         let on_message = Closure::<dyn FnMut(JsValue)>::new(move |event: JsValue| {
-            let text = event.unchecked_into::<MessageEvent>().data().as_string().unwrap_or_default();
-            match serde_json::from_str(&text) {
+            let bytes = js_sys::Uint8Array::new(&event.unchecked_into::<MessageEvent>().data());
+            match decode(&bytes.to_vec()) {
                 Ok(FromWorker::Ready) => line.upgrade().iter().for_each(|line| line.borrow_mut().flush()),
                 Ok(answer) => report(Report::Answer(answer)),
                 Err(error) => report(Report::Broken(format!("an answer that cannot be read: {error}"))),

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use goalgraph::demonstration::Demonstration;
 use goalgraph::export::{ExportFormat, export};
-use goalgraph::import::{Header, import};
 use goalgraph::infer::{InferRequest, Inference, Progress, Study};
 use goalgraph::layout::drawing::layout_request;
 use goalgraph::layout::{Direction, Layout, LayoutRequest, layout};
@@ -13,11 +12,11 @@ use goalgraph::sub_goal::{Cluster, Eliminated};
 use goalgraph::subset::SubsetRequest;
 
 use super::looking::{clusters_of, curve_of};
-use super::opening::{is_specification, opened};
+use super::reading::Content;
 use super::thin::{cloud, track};
 use crate::protocol::{
     Completed, DemonstrationEntry, DemonstrationId, EliminatedCluster, FileContent, FileId, FromWorker,
-    Outcome, SubsetOf, ToWorker,
+    Outcome, ReadFile, SubsetOf, ToWorker,
 };
 
 /// The demonstrations of each file, and what is known of them from the last inference.
@@ -30,26 +29,30 @@ pub(super) struct Recordings {
 }
 
 impl Recordings {
-    /// Does what `request` asks for; `bytes` are those of the file beside it.
-    pub(super) fn serve(
-        &mut self,
-        request: ToWorker,
-        bytes: Option<Result<Vec<u8>, String>>,
-        answer: &mut dyn FnMut(FromWorker),
-    ) {
-        match request {
-            ToWorker::Read { file, name } => {
-                let bytes = bytes.unwrap_or_else(|| Err("there is no file beside the request".to_owned()));
-                answer(match bytes {
-                    Ok(bytes) if is_specification(&name, &bytes) => {
-                        FromWorker::Opened { file, result: opened(&name, &bytes) }
-                    }
-                    bytes => {
-                        let result = bytes.and_then(|bytes| self.read(file, &name, &bytes));
-                        FromWorker::Read { file, result }
-                    }
-                });
+    /// Keeps what was read from a file, and says what it is.
+    pub(super) fn keep(&mut self, file: FileId, content: Result<Content, String>) -> FromWorker {
+        let result = match content {
+            Ok(Content::Specification(result)) => return FromWorker::Opened { file, result },
+            Ok(Content::Demonstrations(demonstrations)) => {
+                let first = demonstrations.first();
+                let content = FileContent {
+                    sha256: first.map(|it| it.sha256().to_owned()).unwrap_or_default(),
+                    features: first.map(|it| it.features().to_vec()).unwrap_or_default(),
+                    demonstrations: demonstrations.iter().map(entry).collect(),
+                };
+                self.demonstrations.insert(file, demonstrations);
+                Ok(content)
             }
+            Err(reason) => Err(reason),
+        };
+        FromWorker::Read(vec![ReadFile { file, result }])
+    }
+
+    /// Does what `request` asks for.
+    pub(super) fn serve(&mut self, request: ToWorker, answer: &mut dyn FnMut(FromWorker)) {
+        match request {
+            // Files are read by whoever has them, and kept by [`Recordings::keep`].
+            ToWorker::Read(_) => {}
             ToWorker::Forget { file } => {
                 self.demonstrations.remove(&file);
                 if self.demonstrations.is_empty() {
@@ -57,8 +60,10 @@ impl Recordings {
                 }
             }
             ToWorker::Infer { files, request } => {
-                let outcome = self.outcome(&files, &request, answer);
-                answer(FromWorker::Inferred(outcome.map(Box::new)));
+                let demonstrations = self.row(&files);
+                let progress = &mut |progress: &Progress| answer(FromWorker::Progress(progress.clone()));
+                let inference = self.infer(&files, &request, progress);
+                answer(inferred(&demonstrations, inference));
             }
             ToWorker::KDistances { of, neighbor, number } => {
                 let curve = self.study_of(&of).map(|study| curve_of(study, &of, neighbor));
@@ -76,7 +81,11 @@ impl Recordings {
                 }
             }
             ToWorker::LayOut { specification, number } => {
-                answer(FromWorker::LaidOut { number, result: layouts(&specification) });
+                let read = Specification::from_json(&specification).map_err(|error| error.to_string());
+                answer(FromWorker::LaidOut {
+                    number,
+                    result: read.map(|specification| layouts(&specification)),
+                });
             }
             ToWorker::Place { request, number } => {
                 answer(FromWorker::Placed { number, layout: Some(layout(&request)) });
@@ -85,20 +94,18 @@ impl Recordings {
         }
     }
 
-    fn read(&mut self, file: FileId, name: &str, bytes: &[u8]) -> Result<FileContent, String> {
-        let demonstrations = import(name, bytes, Header::Detect).map_err(|error| error.to_string())?;
-        let first = demonstrations.first().ok_or("there are no demonstrations in it")?;
-        let content = FileContent {
-            sha256: first.sha256().to_owned(),
-            features: first.features().to_vec(),
-            demonstrations: demonstrations.iter().map(entry).collect(),
-        };
-        self.demonstrations.insert(file, demonstrations);
-        Ok(content)
-    }
-
     fn demonstration(&self, id: DemonstrationId) -> Option<&Demonstration> {
         self.demonstrations.get(&id.file)?.get(id.index)
+    }
+
+    /// All demonstrations of `files` in one row. They share their values with those that are kept.
+    pub(super) fn row(&self, files: &[FileId]) -> Vec<Demonstration> {
+        files.iter().filter_map(|file| self.demonstrations.get(file)).flatten().cloned().collect()
+    }
+
+    /// Forgets what is known from the last inference.
+    pub(super) fn forget_study(&mut self) {
+        (self.study, self.studied) = (Study::default(), None);
     }
 
     /// What is known of the subsets of `of`: as a rule from the last inference.
@@ -117,10 +124,10 @@ impl Recordings {
         files: &[FileId],
         request: &InferRequest,
         progress: &mut dyn FnMut(&Progress),
-    ) -> Result<(Inference, Vec<Demonstration>), String> {
-        let known = files.iter().filter_map(|file| self.demonstrations.get(file));
-        let row: Vec<Demonstration> = known.flatten().cloned().collect();
-        let inference = self.study.infer(&row, request, progress).map_err(|error| error.to_string())?;
+    ) -> Result<Inference, String> {
+        let demonstrations = self.row(files);
+        let inference = self.study.infer(&demonstrations, request, progress);
+        let inference = inference.map_err(|error| error.to_string())?;
         let subset = |known: &SubsetParameters| SubsetRequest {
             name: known.name.clone(),
             features: known.features.clone(),
@@ -128,22 +135,22 @@ impl Recordings {
         };
         let subsets = inference.specification.subsets.iter().map(subset).collect();
         self.studied = Some((files.to_vec(), InferRequest { subsets, ..request.clone() }));
-        Ok((inference, row))
-    }
-
-    fn outcome(
-        &mut self,
-        files: &[FileId],
-        request: &InferRequest,
-        answer: &mut dyn FnMut(FromWorker),
-    ) -> Result<Outcome, String> {
-        let progress = &mut |progress: &_| answer(FromWorker::Progress(Clone::clone(progress)));
-        let (inference, row) = self.infer(files, request, progress)?;
-        Ok(outcome(inference, &row))
+        Ok(inference)
     }
 }
 
-fn outcome(inference: Inference, demonstrations: &[Demonstration]) -> Outcome {
+/// What is said of an inference from `demonstrations`.
+pub(super) fn inferred(demonstrations: &[Demonstration], inference: Result<Inference, String>) -> FromWorker {
+    match inference {
+        Ok(inference) => {
+            let layouts = layouts(&inference.specification);
+            FromWorker::Inferred { result: Ok(Box::new(outcome(demonstrations, inference))), layouts }
+        }
+        Err(reason) => FromWorker::Inferred { result: Err(reason), layouts: Vec::new() },
+    }
+}
+
+fn outcome(demonstrations: &[Demonstration], inference: Inference) -> Outcome {
     let subsets = &inference.specification.subsets;
     let clouds = subsets.iter().map(|subset| cloud(demonstrations, &subset.name, &subset.features)).collect();
     let words = inference.specification.demonstrations.iter().map(|it| it.word.clone());
@@ -176,11 +183,10 @@ pub(super) fn eliminated(eliminated: Eliminated) -> EliminatedCluster {
 }
 
 /// The layouts from left to right and from top to bottom.
-fn layouts(specification: &str) -> Result<Vec<Layout>, String> {
-    let specification = Specification::from_json(specification).map_err(|error| error.to_string())?;
-    let request = layout_request(&specification);
+fn layouts(specification: &Specification) -> Vec<Layout> {
+    let request = layout_request(specification);
     let directions = [Direction::LeftToRight, Direction::TopToBottom];
-    Ok(directions.map(|direction| layout(&LayoutRequest { direction, ..request.clone() })).into())
+    directions.map(|direction| layout(&LayoutRequest { direction, ..request.clone() })).into()
 }
 
 fn svg(specification: &str) -> Result<String, String> {

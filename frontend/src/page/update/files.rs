@@ -10,7 +10,7 @@ use crate::page::autosave;
 use crate::page::model::{
     Basis, LoadedFile, Model, Notice, Reading, Search, Settings, Simulation, Tab, Tidied, UNTITLED,
 };
-use crate::protocol::{DemonstrationId, FileId, ToWorker};
+use crate::protocol::{DemonstrationId, FileId, FileToRead, ToWorker};
 
 impl App {
     /// Takes files, in byte order of their names; one with the name of an earlier one takes its place.
@@ -21,6 +21,7 @@ impl App {
         }
         files.sort_by(|a, b| a.0.cmp(&b.0));
         let outside = self.outside.get_value();
+        let mut ids = Vec::new();
         for (name, file) in files {
             let earlier =
                 self.model.files.with_untracked(|known| known.iter().find(|f| f.name == name).map(|f| f.id));
@@ -31,22 +32,36 @@ impl App {
             let loaded = LoadedFile { id, name, bytes: file.size(), reading: Reading::Waiting };
             outside.files.borrow_mut().insert(id, file);
             self.model.files.update(|files| files.push(loaded));
-            self.read(id);
+            ids.push(id);
+        }
+        self.read(&ids);
+    }
+
+    /// Has files read, for the first time or again.
+    pub(super) fn read(self, ids: &[FileId]) {
+        self.set_readings(ids.iter().map(|&id| (id, Reading::Waiting)).collect());
+        self.post_files(ids);
+    }
+
+    /// Gives files to the worker.
+    pub(super) fn post_files(self, ids: &[FileId]) {
+        let outside = self.outside.get_value();
+        let known = outside.files.borrow();
+        let handles = ids.iter().filter_map(|id| known.get_key_value(id));
+        let (requests, files): (Vec<FileToRead>, Vec<&File>) =
+            handles.map(|(&file, handle)| (FileToRead { file, name: handle.name() }, handle)).unzip();
+        if let Some(link) = outside.link.get().filter(|_| !files.is_empty()) {
+            link.post(&ToWorker::Read(requests), files);
         }
     }
 
-    /// Has a file read, for the first time or again.
-    pub(super) fn read(self, id: FileId) {
-        let outside = self.outside.get_value();
-        let Some(file) = outside.files.borrow().get(&id).cloned() else { return };
-        self.set_reading(id, Reading::Waiting);
-        self.post(&ToWorker::Read { file: id, name: file.name() }, Some(&file));
-    }
-
-    pub(super) fn set_reading(self, id: FileId, reading: Reading) {
+    /// Takes what became of files. They are all shown at once.
+    pub(super) fn set_readings(self, mut readings: BTreeMap<FileId, Reading>) {
         self.model.files.update(|files| {
-            if let Some(file) = files.iter_mut().find(|file| file.id == id) {
-                file.reading = reading;
+            for file in files {
+                if let Some(reading) = readings.remove(&file.id) {
+                    file.reading = reading;
+                }
             }
         });
     }

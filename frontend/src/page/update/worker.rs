@@ -1,6 +1,6 @@
 //! What the worker is asked to do, and what it answers.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use goalgraph::infer::Progress;
@@ -9,13 +9,13 @@ use goalgraph::specification::Specification;
 use leptos::prelude::*;
 
 use super::App;
-use crate::page::model::{Basis, Inferring, Learned, Notice, Reading, Tab};
+use crate::page::model::{Basis, Inferring, Learned, Notice, Reading, Tab, Tidied};
 use crate::page::text::count;
 use crate::page::update::{Action, KeepAction};
 use crate::page::verdict::Verdict;
 use crate::page::view::graph;
 use crate::page::worker_link::Report;
-use crate::protocol::{FromWorker, Outcome, ToWorker};
+use crate::protocol::{FromWorker, Outcome, ReadFile, ToWorker};
 
 impl App {
     pub(super) fn infer(self) {
@@ -51,18 +51,12 @@ impl App {
         if let Some(link) = outside.link.get() {
             link.restart();
         }
-        for (id, verdict) in self.derived.verdicts.get_untracked() {
-            match verdict {
-                Verdict::Reading => self.set_reading(id, Reading::Canceled),
-                Verdict::Accepted(_) => {
-                    let file = outside.files.borrow().get(&id).cloned();
-                    if let Some(file) = file {
-                        self.post(&ToWorker::Read { file: id, name: file.name() }, Some(&file));
-                    }
-                }
-                Verdict::Canceled | Verdict::Refused(_) => {}
-            }
-        }
+        let verdicts = self.derived.verdicts.get_untracked().into_iter();
+        let (unread, read): (Vec<_>, Vec<_>) =
+            verdicts.partition(|(_, verdict)| *verdict == Verdict::Reading);
+        self.set_readings(unread.into_iter().map(|(id, _)| (id, Reading::Canceled)).collect());
+        let accepted = read.into_iter().filter(|(_, verdict)| matches!(verdict, Verdict::Accepted(_)));
+        self.post_files(&accepted.map(|(id, _)| id).collect::<Vec<_>>());
         self.model.canceled.set(self.derived.basis.get_untracked());
         self.ask_again();
     }
@@ -86,7 +80,7 @@ impl App {
                 let reason =
                     format!("the worker broke down ({reason}); the file may be too large for this browser");
                 match culprit {
-                    Some(id) => self.set_reading(id, Reading::Refused(reason)),
+                    Some(id) => self.set_readings(BTreeMap::from([(id, Reading::Refused(reason))])),
                     None => self.say(Notice::alarm(format!("Not done: {reason}."))),
                 }
             }
@@ -97,11 +91,12 @@ impl App {
         let model = self.model;
         match answer {
             FromWorker::Ready => {}
-            FromWorker::Read { file, result } => {
-                self.set_reading(
-                    file,
-                    result.map_or_else(Reading::Refused, |content| Reading::Read(Arc::new(content))),
-                );
+            FromWorker::Read(files) => {
+                let reading = |ReadFile { file, result }| {
+                    let read = |content| Reading::Read(Arc::new(content));
+                    (file, result.map_or_else(Reading::Refused, read))
+                };
+                self.set_readings(files.into_iter().map(reading).collect());
                 self.settle();
             }
             FromWorker::Progress(progress) => model.inferring.update(|inferring| {
@@ -109,7 +104,7 @@ impl App {
                     inferring.progress = progress;
                 }
             }),
-            FromWorker::Inferred(result) => self.learned(result),
+            FromWorker::Inferred { result, layouts } => self.learned(result, layouts),
             FromWorker::KDistances { number, result } => self.curve_measured(number, result),
             FromWorker::Previewed { number, result } => self.searched(number, result),
             FromWorker::Track { demonstration, track } => {
@@ -152,7 +147,7 @@ impl App {
         }
     }
 
-    fn learned(self, result: Result<Box<Outcome>, String>) {
+    fn learned(self, result: Result<Box<Outcome>, String>, layouts: Vec<Layout>) {
         let Some(inferring) = self.model.inferring.get_untracked() else { return };
         self.model.inferring.set(None);
         self.forget_attempt();
@@ -165,7 +160,7 @@ impl App {
                 self.model.unavailable.update(BTreeSet::clear);
                 self.model.simulation.update(|walk| walk.on = false);
                 match Specification::from_json(&outcome.specification) {
-                    Ok(specification) => self.take_learned(specification),
+                    Ok(specification) => self.take_learned(specification, layouts),
                     Err(reason) => {
                         return self.say(Notice::alarm(format!("The result cannot be read: {reason}.")));
                     }
@@ -177,11 +172,20 @@ impl App {
     }
 
     /// Puts what was learned in the place of what is there, as a step that can be undone.
-    fn take_learned(self, mut specification: Specification) {
+    fn take_learned(self, mut specification: Specification, layouts: Vec<Layout>) {
+        let semantics = self.derived.semantics.get_untracked();
+        // Probabilities are written at the transitions: read in another way they need another room.
+        let placed = semantics == specification.semantics;
         specification.name = self.derived.task_name.get_untracked();
-        specification.semantics = self.derived.semantics.get_untracked();
+        specification.semantics = semantics;
         let label = format!("Learn from {}", count(specification.demonstrations.len(), "demonstration"));
         self.replace(label, specification);
+        if placed {
+            let number = self.model.tidied.with_untracked(|tidied| tidied.asked + 1);
+            let of = self.derived.learned.get_untracked();
+            self.model.tidied.update(|tidied| *tidied = Tidied { of, asked: number, ..tidied.clone() });
+            self.laid_out(number, Ok(layouts));
+        }
     }
 
     /// Whether what was learned or opened last was changed since.

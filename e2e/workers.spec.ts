@@ -1,0 +1,40 @@
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { expect, test } from "@playwright/test";
+import { drop, exported, forgetWork } from "./page";
+import { recording } from "./recordings";
+
+const goalgraph = resolve(import.meta.dirname, process.env.GOALGRAPH_BIN ?? "../target/debug/goalgraph");
+
+test("one, two and four workers give the bytes that the command line writes", async ({ page }) => {
+  const orders = [["red", "yellow"], ["yellow", "red"]];
+  const files = Array.from({ length: 8 }, (_, index) => recording(`${index}.csv`, orders[index % 2], index + 1));
+  const folder = mkdtempSync(join(tmpdir(), "goalgraph-workers-"));
+  for (const { name, text } of files) writeFileSync(join(folder, name), text);
+  const specification = join(folder, "task.goalgraph.json");
+  execFileSync(goalgraph, ["infer", ...files.map(({ name }) => join(folder, name)), "-o", specification]);
+  const expected = readFileSync(specification, "utf8");
+
+  for (const workers of [1, 2, 4]) {
+    await forgetWork(page);
+    // The number also says that nothing is too little to be shared.
+    await page.goto(`/?workers=${workers}`);
+    await expect(page.getByRole("tab", { name: "Demonstrations" })).toBeVisible();
+    await drop(page, files);
+    await expect(page.locator("[data-state]")).toHaveCount(4);
+    expect(await exported(page), `${workers} workers`).toBe(expected);
+  }
+});
+
+test("one more recording joins those that were shared out", async ({ page }) => {
+  await forgetWork(page);
+  await page.goto("/?workers=2");
+  await expect(page.getByRole("tab", { name: "Demonstrations" })).toBeVisible();
+  const files = Array.from({ length: 3 }, (_, index) => recording(`${index}.csv`, ["red", "yellow"], index + 1));
+  await drop(page, files);
+  await expect(page.locator("[data-state]")).toHaveCount(3);
+  await drop(page, [recording("3.csv", ["yellow", "red"], 4)]);
+  await expect(page.locator("[data-state]")).toHaveCount(4);
+});
