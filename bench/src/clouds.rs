@@ -18,7 +18,7 @@ pub enum Cloud {
 }
 
 /// Frames are clustered as the engine does with such recordings: see the test below.
-const AT_REST: DbscanParameters = DbscanParameters { epsilon: 0.008, min_points: 20 };
+const AT_REST: DbscanParameters = DbscanParameters { epsilon: 0.004, min_points: 20 };
 
 /// About how many points the neighborhood of a point has in uniform noise, which is also its `min_points`.
 const NEIGHBORS_IN_NOISE: usize = 10;

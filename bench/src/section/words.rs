@@ -35,6 +35,6 @@ pub(super) fn run(options: &Options, report: &mut Report) -> Result<()> {
 }
 
 fn from_text(text: &str) -> usize {
-    let words = import_words(text.as_bytes()).unwrap_or_default().words;
-    infer_words("words", Semantics::default(), &words).pdfa.states.len()
+    let words = import_words(text.as_bytes()).unwrap_or_default();
+    infer_words("words", Semantics::default(), words).pdfa.states.len()
 }
