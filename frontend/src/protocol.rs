@@ -7,7 +7,7 @@ use goalgraph::demonstration::Feature;
 use goalgraph::infer::{InferRequest, Progress};
 use goalgraph::layout::{Layout, LayoutRequest};
 use goalgraph::pdfa::Word;
-use goalgraph::subset::{Setting, SubsetRequest};
+use goalgraph::subset::SubsetRequest;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
@@ -99,21 +99,10 @@ pub enum ToWorker {
 pub struct SubsetOf {
     /// The files of the inference, in the order of their demonstrations.
     pub files: Vec<FileId>,
-    /// What is inferred from them and how, [without parameters](without_parameters).
+    /// What is inferred from them and how, without parameters.
     pub request: InferRequest,
     /// The subset, one of the request but for its parameters.
     pub subset: SubsetRequest,
-}
-
-/// The request with all parameters left to the engine: the points that are clustered do not depend on what they are
-/// clustered with.
-pub(crate) fn without_parameters(mut request: InferRequest) -> InferRequest {
-    for subset in &mut request.subsets {
-        subset.epsilon = Setting::Auto;
-        subset.min_points = Setting::Auto;
-        subset.restored.clear();
-    }
-    request
 }
 
 /// A file beside a message.

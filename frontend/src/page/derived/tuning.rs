@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
+use goalgraph::infer::InferRequest;
 use goalgraph::specification::{Specification, SubsetParameters};
-use goalgraph::subset::SubsetRequest;
+use goalgraph::subset::{Setting, SubsetRequest};
 use leptos::prelude::*;
 
 use crate::page::model::{Basis, CurveOf, Found, Model, Tab};
-use crate::protocol::{KDistanceCurve, SubsetOf, without_parameters};
+use crate::protocol::{KDistanceCurve, SubsetOf};
 
 /// Memos about the subset on display.
 pub(crate) struct Tuning {
@@ -63,4 +64,15 @@ impl Tuning {
         });
         Self { subset, of, wanted, curve, found }
     }
+}
+
+/// The request with all parameters left to the engine: the points that are clustered do not depend on what they are
+/// clustered with.
+fn without_parameters(mut request: InferRequest) -> InferRequest {
+    for subset in &mut request.subsets {
+        subset.epsilon = Setting::Auto;
+        subset.min_points = Setting::Auto;
+        subset.restored.clear();
+    }
+    request
 }
