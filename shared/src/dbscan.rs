@@ -80,7 +80,7 @@ fn cluster(space: impl Space, points: &Points, parameters: DbscanParameters) -> 
     let core = core_points::core_points(&cells);
     let components = join::join(&cells, &core);
     let border = border::border_points(&cells, &core);
-    labels::labels(&cells, &core, &components, &border)
+    labels::labels(&cells.into_order(), &core, &components, &border)
 }
 
 #[cfg(test)]

@@ -100,6 +100,11 @@ impl<S: Space> Cells<S> {
         self.starts.partition_point(|&start| start as usize <= row) - 1
     }
 
+    /// Lets go of the points.
+    pub(super) fn into_order(self) -> Order {
+        Order { starts: self.starts, inputs: self.rows.into_inputs() }
+    }
+
     pub(super) fn rows(&self) -> &Rows<S> {
         &self.rows
     }
@@ -120,6 +125,14 @@ impl<S: Space> Cells<S> {
     pub(super) fn is_dense(&self, cell: usize) -> bool {
         self.range(cell).len() >= self.parameters.min_points
     }
+}
+
+/// What is left of cells when nobody asks any more where their points are.
+pub(super) struct Order {
+    /// Where each cell starts in the rows, and the end.
+    pub(super) starts: Vec<u32>,
+    /// Where each row was in the input.
+    pub(super) inputs: Vec<u32>,
 }
 
 /// Whether the points of each cell are within epsilon of each other.

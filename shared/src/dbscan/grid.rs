@@ -105,6 +105,7 @@ impl Grid {
                 _ => runs.push(Run { key, start: at as u32, end: at as u32 + 1 }),
             }
         }
+        runs.shrink_to_fit();
         runs
     }
 }

@@ -1,8 +1,7 @@
 //! The result of a clustering.
 
-use super::cells::Cells;
+use super::cells::Order;
 use super::components::Components;
-use super::rows::Space;
 
 /// For each point the number of its cluster from 0, or none for noise. Clusters are numbered in the order of their first
 /// points.
@@ -48,25 +47,21 @@ impl Labels {
 }
 
 /// Core points have their cell's cluster, border points that of the cell named for them in `border`.
-pub(super) fn labels<S: Space>(
-    cells: &Cells<S>,
-    core: &[bool],
-    components: &Components,
-    border: &[(u32, u32)],
-) -> Labels {
-    let rows = cells.rows();
-    let mut numbers = vec![NOISE; rows.len()];
-    for cell in 0..cells.len() {
-        let members = cells.range(cell);
+pub(super) fn labels(order: &Order, core: &[bool], components: &Components, border: &[(u32, u32)]) -> Labels {
+    let mut numbers = vec![NOISE; order.inputs.len()];
+    for (cell, ends) in order.starts.windows(2).enumerate() {
+        let members = ends[0] as usize..ends[1] as usize;
         if core[members.clone()].contains(&true) {
             let component = components.find(cell) as u32;
-            members.filter(|&at| core[at]).for_each(|at| numbers[rows.input(at) as usize] = component);
+            for at in members.filter(|&at| core[at]) {
+                numbers[order.inputs[at] as usize] = component;
+            }
         }
     }
     for &(at, cell) in border {
-        numbers[rows.input(at as usize) as usize] = components.find(cell as usize) as u32;
+        numbers[order.inputs[at as usize] as usize] = components.find(cell as usize) as u32;
     }
-    number_by_first_point(numbers, cells.len())
+    number_by_first_point(numbers, order.starts.len() - 1)
 }
 
 fn number_by_first_point(mut numbers: Vec<u32>, cells: usize) -> Labels {

@@ -81,6 +81,11 @@ impl<S: Space> Rows<S> {
         self.order[at]
     }
 
+    /// Where each row was in the input.
+    pub(super) fn into_inputs(self) -> Vec<u32> {
+        self.order
+    }
+
     /// Square of the distance of the row at `at` from `point`.
     #[inline]
     pub(super) fn squared_distance(&self, at: usize, point: &[f64]) -> f64 {
