@@ -38,8 +38,8 @@ pub(super) struct PictureRequest<'a> {
 }
 
 impl Picture {
-    /// The picture after `previous`. There is none before the worker's first answer; while it works on another, nothing
-    /// moves.
+    /// The picture after `previous`. There is none before the worker's first answer and before the frame is measured;
+    /// while the worker works on another, nothing moves.
     pub(super) fn next(previous: Option<&Self>, request: &PictureRequest) -> Option<Self> {
         let tidied = request.tidied;
         if request.outdated || tidied.asked != tidied.answered {
@@ -128,8 +128,11 @@ fn rect(node: &NodeBox) -> Rect {
     }
 }
 
-/// The layout that is largest when all of it is shown in a frame of this width and height.
+/// The layout that is largest when all of it is shown in a frame of this width and height; none before they are known.
 fn best_fit(layouts: &[Arc<Layout>], (width, height): (f64, f64)) -> Option<Arc<Layout>> {
+    if width <= 0.0 || height <= 0.0 {
+        return None;
+    }
     let scale = |layout: &Layout| (width / layout.width.max(1.0)).min(height / layout.height.max(1.0));
     let (first, others) = layouts.split_first()?;
     let larger = |best: Arc<Layout>, other: &Arc<Layout>| {
