@@ -17,7 +17,7 @@ use crate::peer::Peer;
 use crate::report::{Bar, Report, times};
 use server::Server;
 
-/// What the published method is given; the tower's places are found with it.
+/// What the published method is given, in both languages.
 const EPSILON: &str = "0.01";
 const MIN_POINTS: &str = "10";
 
@@ -38,7 +38,8 @@ pub(super) fn run(options: &Options, report: &mut Report) -> Result<()> {
     let script = options.script("words.py");
     check_same_words(
         &mut theirs(python, &script, &paths),
-        &mut ours(goalgraph, &paths, &specification),
+        ours(goalgraph, &paths, &specification)
+            .args(["--paper", "--epsilon", EPSILON, "--min-points", MIN_POINTS]),
         &specification,
     )?;
 
@@ -85,7 +86,8 @@ fn process(command: &mut Command) -> Result<f64> {
     Ok(seconds)
 }
 
-/// What is compared does the same: both find the same words, but for the names of their symbols.
+/// What Python does is what we do when asked for the published method: both find the same words, but for the names of
+/// their symbols. What is timed of ours looks for rests on top.
 fn check_same_words(python: &mut Command, goalgraph: &mut Command, specification: &Path) -> Result<()> {
     let printed = python.output().context("cannot start Python")?;
     ensure!(printed.status.success(), "{}", String::from_utf8_lossy(&printed.stderr));
