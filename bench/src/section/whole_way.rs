@@ -38,8 +38,13 @@ pub(super) fn run(options: &Options, report: &mut Report) -> Result<()> {
     let script = options.script("words.py");
     check_same_words(
         &mut theirs(python, &script, &paths),
-        ours(goalgraph, &paths, &specification)
-            .args(["--paper", "--epsilon", EPSILON, "--min-points", MIN_POINTS]),
+        ours(goalgraph, &paths, &specification).args([
+            "--paper",
+            "--epsilon",
+            EPSILON,
+            "--min-points",
+            MIN_POINTS,
+        ]),
         &specification,
     )?;
 

@@ -1,6 +1,7 @@
 //! Files that come and go.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::time::Duration;
 
 use leptos::prelude::*;
 use web_sys::File;
@@ -11,6 +12,9 @@ use crate::page::model::{
     Basis, LoadedFile, Model, Notice, Reading, Search, Settings, Simulation, Tab, Tidied, UNTITLED,
 };
 use crate::protocol::{DemonstrationId, FileId, FileToRead, ToWorker};
+
+/// An inference that takes longer is waited for with a recording on display; a shorter one is shown at once instead.
+const MEANWHILE: Duration = Duration::from_millis(200);
 
 impl App {
     /// Takes files, in byte order of their names; one with the name of an earlier one takes its place.
@@ -145,11 +149,6 @@ impl App {
         if self.derived.reading.get_untracked() {
             return;
         }
-        if self.model.demonstration.get_untracked().is_none()
-            && let Some((file, _)) = self.derived.accepted.get_untracked().first()
-        {
-            self.show(DemonstrationId { file: *file, index: 0 });
-        }
         let outside = self.outside.get_value();
         match self.derived.basis.get_untracked() {
             Some(basis) if outside.brought.take() => self.model.canceled.set(Some(basis)),
@@ -157,6 +156,20 @@ impl App {
             None => {}
             Some(basis) if self.is_known(&basis) => {}
             Some(_) => self.infer(),
+        }
+        if self.model.inferring.with_untracked(Option::is_some) {
+            set_timeout(move || self.show_some_recording(), MEANWHILE);
+        } else {
+            self.show_some_recording();
+        }
+    }
+
+    /// Shows the first recording where none is shown.
+    fn show_some_recording(self) {
+        if self.model.demonstration.get_untracked().is_none()
+            && let Some((file, _)) = self.derived.accepted.get_untracked().first()
+        {
+            self.show(DemonstrationId { file: *file, index: 0 });
         }
     }
 
