@@ -45,8 +45,8 @@ pub struct DbscanParameters {
 ///
 /// # Complexity
 ///
-/// Memory O(n): up to four dimensions at most three times that of the points where they lie in heaps. Time O(n log n),
-/// and about O(n) where things rest; in high dimension, where every cell is near every other, O(n²) at worst.
+/// Memory O(n): in three dimensions about three times that of the points, these included, where they lie in heaps. Time
+/// O(n log n), and about O(n) where things rest; in high dimension, where every cell is near every other, O(n²) at worst.
 ///
 /// # Panics
 ///
