@@ -4,7 +4,7 @@ import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { performance } from "node:perf_hooks";
 import { type Page, expect, test } from "@playwright/test";
-import { forgetWork, openApp } from "./page";
+import { forgetWork, openApp, rehearsed } from "./page";
 
 // How long it takes from the drop to the drawn graph, beside the command line on the same files in the same run.
 // Nothing here fails for being slow: machines differ. The ratio is what to watch.
@@ -24,6 +24,7 @@ for (const folder of ["assets/samples/tower", "shared/tests/data/panda-stack-and
     for (let run = 0; run < RUNS; run++) {
       await forgetWork(page);
       await openApp(page);
+      await rehearsed(page);
       inBrowser.push(await dropToGraph(page, files));
       onCommandLine.push(commandLine(paths));
     }

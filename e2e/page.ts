@@ -8,6 +8,11 @@ export async function openApp(page: Page): Promise<void> {
   await expect(page.getByRole("tab", { name: "Demonstrations" })).toBeVisible();
 }
 
+/** Waits until the page has rehearsed what happens between a drop and a drawn automaton. */
+export async function rehearsed(page: Page): Promise<void> {
+  await page.waitForFunction(() => performance.getEntriesByName("rehearsed").length > 0);
+}
+
 /** Drops files on the page, as a file manager does. */
 export async function drop(page: Page, files: Recording[]): Promise<void> {
   const transfer = await page.evaluateHandle((files) => {

@@ -72,7 +72,7 @@ struct Options {
     /// The folder with this crate as WebAssembly
     #[arg(long, value_name = "FOLDER")]
     webassembly: Option<PathBuf>,
-    /// Write docs/performance.svg and the tables of docs/performance.md again
+    /// Put the tables into docs/performance.md, and the chart beside it where clustering was measured
     #[arg(long)]
     write_docs: bool,
 }

@@ -96,14 +96,19 @@ impl Report {
         self.tables.iter().map(Table::markdown).collect::<Vec<_>>().join("\n")
     }
 
-    /// Writes the chart and the tables into the page of `docs`.
+    /// Puts the tables into the page of `docs`, and the chart where our own curves were measured.
     ///
     /// # Errors
     ///
     /// When a file cannot be read or written.
     pub(crate) fn write(&self, docs: &Path) -> Result<()> {
-        page::write(docs, &self.markdown())?;
-        if let Some(chart) = chart::draw(&self.curves) {
+        let tables = self
+            .tables
+            .iter()
+            .map(|table| page::PageTable { command: table.command.clone(), markdown: table.markdown() });
+        page::write(docs, &tables.collect::<Vec<_>>())?;
+        let ours = self.curves.iter().any(|curve| curve.whose == Whose::Ours);
+        if let Some(chart) = chart::draw(&self.curves).filter(|_| ours) {
             std::fs::write(docs.join("performance.svg"), chart)?;
         }
         Ok(())

@@ -119,6 +119,8 @@ pub struct FileToRead {
 pub enum FromWorker {
     /// It listens now; what was posted before is lost.
     Ready,
+    /// What it says between a drop of two files and a drawn automaton, for practice.
+    Rehearsal(Vec<FromWorker>),
     /// Files were read.
     Read(Vec<ReadFile>),
     /// How far the inference is.

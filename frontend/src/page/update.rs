@@ -5,6 +5,7 @@ mod edit;
 mod files;
 mod keeping;
 mod open;
+mod rehearsal;
 mod save;
 mod select;
 mod simulation;

@@ -31,15 +31,18 @@ pub(super) fn start() {
         study: RefCell::default(),
         pool: Pool::of_scope(),
     });
+    let listener = Rc::clone(&coordinator);
     let on_message = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
         if let Some(job) = job_of(&event) {
-            coordinator.add(job);
+            listener.add(job);
         }
     });
     scope().set_onmessage(Some(on_message.as_ref().unchecked_ref()));
     on_message.forget();
     answer(&FromWorker::Ready);
-    warm_up::warm_up();
+    answer(&FromWorker::Rehearsal(warm_up::warm_up()));
+    // Nothing to read: only so that the first job is not the first that is done.
+    coordinator.add((ToWorker::Read(Vec::new()), Vec::new()));
 }
 
 /// A request and the files that it is about.

@@ -6,7 +6,7 @@ use goalgraph::infer::InferRequest;
 
 use super::reading::read;
 use super::recordings::Recordings;
-use crate::protocol::{FileId, FromWorker, ToWorker, encode};
+use crate::protocol::{FileId, FromWorker, ToWorker, decode, encode};
 
 /// Does what is done between a drop and a drawn graph; gives what would have been said.
 pub(super) fn warm_up() -> Vec<FromWorker> {
@@ -16,22 +16,22 @@ pub(super) fn warm_up() -> Vec<FromWorker> {
         .iter()
         .map(|&file| recordings.keep(file, read("warm-up.csv", carried().as_bytes(), None)))
         .collect();
-    let request = ToWorker::Infer { files: files.into(), request: InferRequest::default() };
-    recordings.serve(request, &mut |message| said.push(message));
-    for message in &said {
-        std::hint::black_box(encode(message));
+    let request = encode(&ToWorker::Infer { files: files.into(), request: InferRequest::default() });
+    if let Ok(request) = decode(&request) {
+        recordings.serve(request, &mut |message| said.push(message));
     }
     said
 }
 
-/// A recording in which two things are carried to a place, one after the other.
+/// A recording in which two things are carried to a place in space, one after the other.
 fn carried() -> String {
-    let mut table = String::from("a.x,a.y,b.x,b.y\n");
+    let mut table = String::from("a.x,a.y,a.z,b.x,b.y,b.z\n");
     for frame in 0..120_i32 {
         let at = |begin: i32| f64::from((frame - begin).clamp(0, 20)) / 20.0;
         let shake = f64::from(frame * 7 % 5) / 1000.0;
         // Writing to a string does not fail.
-        let _ = writeln!(table, "{:.4},{shake:.4},{shake:.4},{:.4}", at(20) + shake, at(70) + shake);
+        let _ =
+            writeln!(table, "{:.4},{shake:.4},0.02,{shake:.4},{:.4},0.02", at(20) + shake, at(70) + shake);
     }
     table
 }

@@ -91,6 +91,7 @@ impl App {
         let model = self.model;
         match answer {
             FromWorker::Ready => {}
+            FromWorker::Rehearsal(said) => self.rehearse(said),
             FromWorker::Read(files) => {
                 let reading = |ReadFile { file, result }| {
                     let read = |content| Reading::Read(Arc::new(content));

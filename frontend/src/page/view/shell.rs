@@ -17,6 +17,11 @@ pub(crate) fn shell(app: App) -> impl IntoView {
     let listener = window_event_listener(ev::keydown, move |event| keys::press(app, &event));
     on_cleanup(move || listener.remove());
     listen_for_drops(app);
+    page(app)
+}
+
+/// What is seen of it.
+pub(crate) fn page(app: App) -> impl IntoView {
     view! {
         {bar(app)}
         <main class="panel">
