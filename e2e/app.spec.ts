@@ -1,7 +1,7 @@
 import { readFile } from "node:fs/promises";
 import { type Page, expect, test } from "@playwright/test";
-import { drop, exported, openApp } from "./page";
-import { recording, threeRecordings } from "./recordings";
+import { cancelOnceBusy, drop, exported, openApp } from "./page";
+import { recording, repeated, threeRecordings } from "./recordings";
 
 test.beforeEach(async ({ page }) => {
   // Nothing that the page does may break its content security policy or end in an error.
@@ -142,29 +142,6 @@ test("an inference is canceled, nothing is lost, and it can be done again", asyn
   await drop(page, threeRecordings());
   await expect(page.locator("[data-state]")).toHaveCount(4);
 });
-
-/**
- * Clicks Cancel as soon as the worker tells that it infers. It is done within the page: a click from outside can come
- * after the worker has finished.
- */
-async function cancelOnceBusy(page: Page): Promise<void> {
-  await page.evaluate(() => {
-    const watching = new MutationObserver(() => {
-      if (!/(Clustering|Reading words)/.test(document.body.innerText)) return;
-      const cancel = [...document.querySelectorAll("button")].find((it) => it.textContent?.trim() === "Cancel");
-      if (cancel === undefined) return;
-      watching.disconnect();
-      cancel.click();
-    });
-    watching.observe(document.body, { subtree: true, childList: true, characterData: true });
-  });
-}
-
-/** The recording with its last frames many times over. */
-function repeated({ name, text }: { name: string; text: string }, times: number) {
-  const [header, ...frames] = text.trimEnd().split("\n");
-  return { name, text: [header, ...frames, ...Array.from({ length: times }, () => frames.slice(-20)).flat()].join("\n") + "\n" };
-}
 
 async function download(page: Page, button: string) {
   const [saved] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: button }).click()]);

@@ -46,3 +46,20 @@ export async function forgetWork(page: Page): Promise<void> {
       }),
   );
 }
+
+/**
+ * Clicks Cancel as soon as the worker tells that it infers. It is done within the page: a click from outside can come
+ * after the worker has finished.
+ */
+export async function cancelOnceBusy(page: Page): Promise<void> {
+  await page.evaluate(() => {
+    const watching = new MutationObserver(() => {
+      if (!/(Clustering|Reading words)/.test(document.body.innerText)) return;
+      const cancel = [...document.querySelectorAll("button")].find((it) => it.textContent?.trim() === "Cancel");
+      if (cancel === undefined) return;
+      watching.disconnect();
+      cancel.click();
+    });
+    watching.observe(document.body, { subtree: true, childList: true, characterData: true });
+  });
+}

@@ -71,3 +71,9 @@ function generator(seed: number): () => number {
     return ((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32;
   };
 }
+
+/** The recording with its last frames many times over. */
+export function repeated({ name, text }: Recording, times: number): Recording {
+  const [header, ...frames] = text.trimEnd().split("\n");
+  return { name, text: [header, ...frames, ...Array.from({ length: times }, () => frames.slice(-20)).flat()].join("\n") + "\n" };
+}

@@ -131,6 +131,23 @@ test("a finished run is replayed event by event, and its log is filtered", async
   await expect(events).toHaveCount(0);
 });
 
+test("what happened while events were on their way is fetched as well", async ({ page }) => {
+  const approved = await learnAndApprove(page);
+  let asked = 0;
+  await page.route("**/api/v1/runs/*/events?*", async (route) => {
+    asked += 1;
+    if (asked > 1) return route.continue();
+    // The answer of a server that knew of no event when it was asked arrives when the run is over.
+    await expect(live(page)).toHaveAttribute("data-live-state", "finished");
+    return route.fulfill({ json: { items: [], next: null } });
+  });
+  await monitor(page);
+  robot(approved, "--speed", "0.05", "--runs", "1");
+  await expect(live(page)).toHaveAttribute("data-live-state", "finished");
+  await expect(event(page, "Started red 1")).toBeVisible();
+  await expect(event(page, "Completed yellow 1")).toBeVisible();
+});
+
 test("who comes late sees the run as it is, and opens the revision that it follows", async ({ page, browser }) => {
   const approved = await learnAndApprove(page);
   const started = robot(approved, "--speed", "0.005");

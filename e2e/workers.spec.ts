@@ -3,8 +3,8 @@ import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { expect, test } from "@playwright/test";
-import { drop, exported, forgetWork } from "./page";
-import { recording } from "./recordings";
+import { cancelOnceBusy, drop, exported, forgetWork } from "./page";
+import { recording, repeated } from "./recordings";
 
 const goalgraph = resolve(import.meta.dirname, process.env.GOALGRAPH_BIN ?? "../target/debug/goalgraph");
 
@@ -36,5 +36,23 @@ test("one more recording joins those that were shared out", async ({ page }) => 
   await drop(page, files);
   await expect(page.locator("[data-state]")).toHaveCount(3);
   await drop(page, [recording("3.csv", ["yellow", "red"], 4)]);
+  await expect(page.locator("[data-state]")).toHaveCount(4);
+});
+
+test("what was shared out is canceled, and learned when it is asked for again", async ({ page }) => {
+  await forgetWork(page);
+  await page.goto("/?workers=2");
+  await expect(page.getByRole("tab", { name: "Demonstrations" })).toBeVisible();
+  const orders = [["red", "yellow"], ["yellow", "red"]];
+  const slow = Array.from({ length: 20 }, (_, index) => repeated(recording(`${index}.csv`, orders[index % 2], index), 60));
+  await cancelOnceBusy(page);
+  await drop(page, slow);
+  await expect(page.getByRole("status")).toContainText("Canceled");
+  await expect(page.getByRole("progressbar", { name: "Progress" })).toBeHidden();
+  await expect(page.locator("[data-file]")).toHaveCount(20);
+  await expect(page.locator("[data-state]")).toHaveCount(0);
+
+  await page.getByRole("button", { name: "Infer" }).first().click();
+  await page.getByRole("tab", { name: "Automaton" }).click();
   await expect(page.locator("[data-state]")).toHaveCount(4);
 });

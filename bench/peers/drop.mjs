@@ -1,15 +1,12 @@
-// Takes turns at dropping files on the app in Chromium: from the drop until the automaton is drawn. Before the drop the
-// page has been there for as long as somebody needs at least to find the files.
+// Takes turns at dropping files on the app in Chromium: from the drop until the automaton is drawn.
 //
-// Arguments: folder with node_modules, Chromium, address of the server, files. Every turn is a visit without earlier work.
+// Arguments: folder with node_modules, Chromium, address of the server, files. Every turn is a visit without earlier work,
+// and begins when the page has rehearsed.
 
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { basename, resolve } from "node:path";
 import { createInterface } from "node:readline";
-
-/** Milliseconds from a page that is ready to a drop. */
-const FINDING_FILES = 2000;
 
 const [modules, chromium, address, ...paths] = process.argv.slice(2);
 const { chromium: driver } = createRequire(resolve(modules, "package.json"))("@playwright/test");
@@ -25,7 +22,6 @@ for await (const _ of createInterface({ input: process.stdin })) {
   const page = await context.newPage();
   await page.goto(address);
   await page.waitForFunction(() => performance.getEntriesByName("rehearsed").length > 0);
-  await page.waitForTimeout(FINDING_FILES);
   console.log((await page.evaluate(dropToDrawn, files)) / 1000);
   await context.close();
 }

@@ -57,6 +57,7 @@ struct Outside {
     let_go: RefCell<Option<autosave::LetGo>>,
     next_file: Cell<u32>,
     loads: Cell<u32>,
+    has_rehearsed: Cell<bool>,
     /// Whether files come that belong to what is there: nothing is to be learned from them unasked.
     brought: Cell<bool>,
 }

@@ -23,8 +23,11 @@ const REHEARSED: &str = "rehearsed";
 const FRAME: (f64, f64) = (800.0, 600.0);
 
 impl App {
-    /// Has another app, which nobody sees, hear what the worker `said`, unless this one is at work.
+    /// Has another app, which nobody sees, hear what the first worker `said`, unless this one is at work.
     pub(super) fn rehearse(self, said: Vec<FromWorker>) {
+        if self.outside.get_value().has_rehearsed.replace(true) {
+            return;
+        }
         spawn_local(async move {
             let owner = Owner::new();
             let understudy = owner.with(Self::new);

@@ -18,34 +18,39 @@ impl App {
             log.set(EventLog { run: run.clone(), ..EventLog::default() });
         }
         log.update(|log| log.fetching = true);
+        let number = |log: &EventLog| log.events.len() as u64;
+        let announced = {
+            let run = run.clone();
+            move || {
+                let shown = self.derived.watched.run;
+                shown.with_untracked(|it| it.as_ref().filter(|it| it.run == run).map_or(0, |it| it.events))
+            }
+        };
         spawn_local(async move {
             let failed = loop {
-                let after = log.with_untracked(|log| log.events.len() as u64);
+                let (after, announced_before) = (log.with_untracked(number), announced());
                 let answer = server::events(&run, after).await;
                 if log.with_untracked(|log| log.run != run) {
                     // Another run is looked at meanwhile.
                     return;
                 }
-                match answer {
+                let page = match answer {
                     Err(reason) => break Some(reason.to_string()),
-                    Ok(page) => {
-                        let more = page.next.is_some() && !page.items.is_empty();
-                        let known = self.derived.watched.run.with_untracked(|it| {
-                            it.as_ref().filter(|it| it.run == run).map_or(0, |it| it.events)
-                        });
-                        let mut complete = false;
-                        log.update(|log| {
-                            for event in page.items {
-                                if event.number == log.events.len() as u64 + 1 {
-                                    log.events.push(event);
-                                }
-                            }
-                            complete = log.events.len() as u64 >= known;
-                        });
-                        if !more && (complete || log.with_untracked(|log| log.events.len() as u64 == after)) {
-                            break None;
+                    Ok(page) => page,
+                };
+                let more = page.next.is_some() && !page.items.is_empty();
+                log.update(|log| {
+                    for event in page.items {
+                        if event.number == number(log) + 1 {
+                            log.events.push(event);
                         }
                     }
+                });
+                let (here, announced) = (log.with_untracked(number), announced());
+                // A server that does not give what it had announced when it was asked is not asked for ever.
+                let may_come = here > after || announced > announced_before;
+                if !more && (here >= announced || !may_come) {
+                    break None;
                 }
             };
             log.update(|log| {
