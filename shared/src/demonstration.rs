@@ -98,7 +98,11 @@ impl Demonstration {
         if !values.len().is_multiple_of(features.len()) {
             return Err(DemonstrationError::Ragged { values: values.len(), features: features.len() });
         }
-        if let Some(at) = values.iter().position(|value| value.abs() > LARGEST_VALUE) {
+        let is_too_large = |value: &f64| value.abs() > LARGEST_VALUE;
+        // Mostly none is: all are looked at without asking after each, and only then for the first.
+        if values.iter().fold(false, |any, value| any | is_too_large(value))
+            && let Some(at) = values.iter().position(is_too_large)
+        {
             let feature = features[at % features.len()].name.clone();
             return Err(DemonstrationError::TooLarge { frame: at / features.len(), feature });
         }

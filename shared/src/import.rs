@@ -6,6 +6,7 @@
 
 mod cell;
 mod column;
+mod decimal;
 pub mod dot;
 mod json;
 mod recording;

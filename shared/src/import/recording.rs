@@ -80,6 +80,11 @@ impl<'a> Recorder<'a> {
         self.expected = rows.saturating_mul(self.columns.features.len());
     }
 
+    /// The next row, still as the one before, for whoever fills all of it.
+    pub(super) fn next_row(&mut self) -> &mut Row {
+        &mut self.row
+    }
+
     /// The next row, with everything undefined.
     pub(super) fn blank_row(&mut self) -> &mut Row {
         self.row.values.fill(f64::NAN);

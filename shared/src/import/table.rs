@@ -45,7 +45,9 @@ fn read_with(
     let start = if names.origin == Origin::FirstLine { first.end() } else { table.start() };
     let mut frames = Frames { table: &table, names: &names, recorder: Recorder::new(&names.columns) };
     let rest = plain(&mut frames, start)?;
-    careful::read(&mut frames, rest)?;
+    if rest < text.len() {
+        careful::read(&mut frames, rest)?;
+    }
     let parts = frames.recorder.finish();
     if parts.is_empty() {
         return Err(ImportError::whole("there are no frames, only the names of the columns"));

@@ -1,5 +1,7 @@
 //! From bytes to text: encodings, and files that are no text at all.
 
+use memchr::memchr;
+
 use super::ImportError;
 
 /// How files of other formats begin.
@@ -33,7 +35,7 @@ pub(super) fn text<'a>(bytes: &'a [u8], expected: &str) -> Result<&'a str, Impor
     if let Some((_, what)) = SIGNATURES.iter().find(|(signature, _)| bytes.starts_with(signature)) {
         return Err(ImportError::whole(format!("this is {what}; expected {expected}")));
     }
-    if bytes.contains(&0) {
+    if memchr(0, bytes).is_some() {
         return Err(ImportError::whole(format!("this is a binary file; expected {expected}")));
     }
     let text = str::from_utf8(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)).map_err(|error| {

@@ -3,13 +3,13 @@
 //! Nothing is refused here. A line that is anything but one value for each column, without quotation marks, is left to
 //! the [careful way](super::careful), together with the lines behind it.
 
-use memchr::{memchr_iter, memchr3};
+use memchr::{memchr_iter, memchr2, memchr3};
 
 use super::Frames;
-use super::layout::Separator;
 use crate::import::ImportError;
-use crate::import::cell::{self, CellError};
+use crate::import::cell::{self, CellError, Decimal};
 use crate::import::column::Role;
+use crate::import::decimal::leading_decimal;
 use crate::import::recording::Row;
 
 /// From how much of a table the number of its lines is estimated.
@@ -23,7 +23,9 @@ const SAMPLE: usize = 1 << 16;
 pub(super) fn read(frames: &mut Frames<'_>, start: usize) -> Result<usize, ImportError> {
     let bytes = frames.table.text.as_bytes();
     let columns = &frames.names.columns;
-    let line = Line { separator: frames.table.separator, roles: &columns.roles };
+    let separator = frames.table.separator;
+    let end = memchr2(b'\n', b'\r', &bytes[start..]).map_or(b'\n', |at| bytes[start + at]);
+    let line = Line { roles: &columns.roles, separator: separator.byte(), decimal: separator.decimal(), end };
     if columns.label.is_none() {
         let rest = &bytes[start..];
         // However short the lines are later on, each has a byte for each column.
@@ -31,8 +33,8 @@ pub(super) fn read(frames: &mut Frames<'_>, start: usize) -> Result<usize, Impor
     }
     let mut place = start;
     loop {
-        place += bytes[place..].iter().take_while(|&&byte| ends_line(byte)).count();
-        let row = frames.recorder.blank_row();
+        place += bytes[place..].iter().take_while(|&&byte| is_line_end(byte)).count();
+        let row = frames.recorder.next_row();
         let Some(length) = line.fill(row, &bytes[place..]) else { return Ok(place) };
         frames.push_row(place)?;
         place += length;
@@ -41,77 +43,103 @@ pub(super) fn read(frames: &mut Frames<'_>, start: usize) -> Result<usize, Impor
 
 /// What a plain line is like.
 struct Line<'a> {
-    separator: Separator,
     roles: &'a [Role],
+    separator: u8,
+    decimal: Decimal,
+    /// What mostly ends it.
+    end: u8,
 }
 
 impl Line<'_> {
     /// Fills `row` with the line at the beginning of `bytes`; returns the line's length when it is plain.
     fn fill(&self, row: &mut Row, bytes: &[u8]) -> Option<usize> {
+        let (&last, others) = self.roles.split_last()?;
         let mut at = 0;
-        for (index, &role) in self.roles.iter().enumerate() {
-            if index > 0 {
-                bytes.get(at).filter(|&&byte| byte == self.separator.byte())?;
-                at += 1;
-            }
-            at += blanks(&bytes[at..]);
-            at += self.fill_cell(row, role, &bytes[at..])?;
+        for &role in others {
+            at += self.fill_cell(row, role, &bytes[at..], self.separator)? + 1;
         }
-        if self.separator == Separator::Blank {
-            at += blanks(&bytes[at..]);
-        }
-        bytes.get(at).is_none_or(|&byte| ends_line(byte)).then_some(at)
+        Some(at + self.fill_cell(row, last, &bytes[at..], self.end)?)
     }
 
-    /// Fills the place of `role` with the cell at the beginning of `bytes`; returns the cell's length.
-    fn fill_cell(&self, row: &mut Row, role: Role, bytes: &[u8]) -> Option<usize> {
+    /// Fills the place of `role` with the cell at the beginning of `bytes` that is ended by `end`; returns the cell's length.
+    #[inline(always)]
+    fn fill_cell(&self, row: &mut Row, role: Role, bytes: &[u8], end: u8) -> Option<usize> {
         match role {
             Role::Feature(feature) => {
-                let (value, length) = self.number(bytes)?;
+                let (value, length) = self.number(bytes, end)?;
                 row.values[feature] = value.ok()?;
                 Some(length)
             }
             Role::Time(time) => {
-                let (value, length) = self.number(bytes)?;
+                let (value, length) = self.number(bytes, end)?;
                 row.times[time] = value.unwrap_or(f64::NAN);
                 Some(length)
             }
-            Role::Label => {
-                let cell = self.cell(bytes)?;
-                row.label.push_str(str::from_utf8(cell.trim_ascii()).ok()?);
-                Some(cell.len())
-            }
-            Role::Dropped => Some(self.cell(bytes)?.len()),
+            Role::Label => self.fill_label(&mut row.label, bytes, end),
+            Role::Dropped => Some(self.cell(bytes, end)?.1),
         }
     }
 
     /// The number in the cell at the beginning of `bytes`, and the cell's length.
-    #[inline]
-    fn number(&self, bytes: &[u8]) -> Option<(Result<f64, CellError>, usize)> {
-        if let Some((value, length)) = cell::leading_number(bytes)
-            && bytes.get(length).is_none_or(|&byte| self.ends_cell(byte))
-        {
-            return Some((Ok(value), length));
+    #[inline(always)]
+    fn number(&self, bytes: &[u8], end: u8) -> Option<(Result<f64, CellError>, usize)> {
+        match leading_decimal(bytes) {
+            Some(decimal) if decimal.next == Some(end) => Some((Ok(decimal.value), decimal.length)),
+            _ => self.any_number(bytes, end),
         }
-        let cell = self.cell(bytes)?;
-        Some((cell::number(cell.trim_ascii(), self.separator.decimal()), cell.len()))
     }
 
-    /// The cell at the beginning of `bytes`, unless quotation marks begin it or it may belong to a blank line.
-    fn cell<'b>(&self, bytes: &'b [u8]) -> Option<&'b [u8]> {
-        let end = memchr3(self.separator.byte(), b'\n', b'\r', bytes).unwrap_or(bytes.len());
-        let cell = &bytes[..end];
-        let may_be_blank = self.separator == Separator::Blank || self.roles.len() == 1;
-        let is_plain = cell.first() != Some(&b'"') && !(may_be_blank && cell.trim_ascii().is_empty());
-        is_plain.then_some(cell)
+    fn any_number(&self, bytes: &[u8], end: u8) -> Option<(Result<f64, CellError>, usize)> {
+        let start = blanks(bytes);
+        if let Some(decimal) = leading_decimal(&bytes[start..])
+            && let Some(length) = self.end(bytes, start + decimal.length, end)
+        {
+            return Some((Ok(decimal.value), length));
+        }
+        let (cell, length) = self.cell(bytes, end)?;
+        Some((cell::number(cell, self.decimal), length))
     }
 
-    fn ends_cell(&self, byte: u8) -> bool {
-        byte == self.separator.byte() || ends_line(byte)
+    /// Makes `label` that of the cell at the beginning of `bytes`, which it mostly is already; returns the cell's length.
+    fn fill_label(&self, label: &mut String, bytes: &[u8], end: u8) -> Option<usize> {
+        let is_same = bytes.starts_with(label.as_bytes()) && bytes.get(label.len()) == Some(&end);
+        if is_same && !label.is_empty() {
+            return Some(label.len());
+        }
+        let (cell, length) = self.cell(bytes, end)?;
+        label.clear();
+        label.push_str(str::from_utf8(cell).ok()?);
+        Some(length)
+    }
+
+    /// The trimmed cell at the beginning of `bytes` and its length, unless quotation marks begin it or it may belong to a
+    /// blank line.
+    fn cell<'b>(&self, bytes: &'b [u8], end: u8) -> Option<(&'b [u8], usize)> {
+        let start = blanks(bytes);
+        let behind = &bytes[start..];
+        let length = memchr3(self.separator, b'\n', b'\r', behind).unwrap_or(behind.len());
+        let cell = behind[..length].trim_ascii();
+        let may_be_blank = self.separator == b' ' || self.roles.len() == 1;
+        let is_plain = bytes.get(start) != Some(&b'"') && !(may_be_blank && cell.is_empty());
+        let length = self.end(bytes, start + length, end)?;
+        is_plain.then_some((cell, length))
+    }
+
+    /// Where the cell at the beginning of `bytes` ends that has its text before `at`, when it is ended as it must be.
+    fn end(&self, bytes: &[u8], mut at: usize, end: u8) -> Option<usize> {
+        let ends_line = end == self.end;
+        if ends_line && self.separator == b' ' {
+            at += blanks(&bytes[at..]);
+        }
+        let is_ended = match bytes.get(at) {
+            Some(&byte) => byte == end || (ends_line && is_line_end(byte)),
+            None => ends_line,
+        };
+        is_ended.then_some(at)
     }
 }
 
-fn ends_line(byte: u8) -> bool {
+fn is_line_end(byte: u8) -> bool {
     byte == b'\n' || byte == b'\r'
 }
 

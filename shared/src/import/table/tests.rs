@@ -107,20 +107,6 @@ fn table() -> impl Strategy<Value = String> {
     })
 }
 
-/// A decimal of any length.
-fn decimal() -> impl Strategy<Value = String> {
-    prop_oneof![
-        "[+-]?[0-9]{1,25}",
-        "[+-]?[0-9]{0,25}\\.[0-9]{0,25}",
-        "[+-]?[0-9]{0,20}\\.[0-9]{0,20}[eE][+-]?[0-9]{0,3}",
-        "0\\.0{0,20}[0-9]{1,40}(e-?[0-9]{1,2})?",
-        any::<f64>().prop_map(|value| format!("{value:?}")),
-        any::<f64>().prop_map(|value| format!("{value:e}")),
-        // Half way between two doubles, and a little beside.
-        (0_u64..1 << 53, "[0-9]{0,3}").prop_map(|(number, digits)| format!("{}.5{digits}", number | 1 << 52)),
-    ]
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
@@ -133,13 +119,6 @@ proptest! {
     fn any_text_is_read_the_same_both_ways(text in "([0-9.,; \t\r\n\"#a+-]|1,|2,|\n3,){0,60}") {
         check(&text);
         check(&format!("x,y\n{text}"));
-    }
-
-    #[test]
-    fn a_decimal_is_what_the_standard_library_makes_of_it(text in decimal()) {
-        let expected = text.parse::<f64>().ok().filter(|value| value.is_finite());
-        let found = crate::import::cell::leading_number(text.as_bytes()).filter(|found| found.1 == text.len());
-        prop_assert_eq!(found.map(|found| found.0.to_bits()), expected.map(f64::to_bits));
     }
 }
 
