@@ -1,5 +1,7 @@
 //! From rows to demonstrations: rows of one label belong together, and time does not run backwards.
 
+mod join;
+
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::sync::Arc;
@@ -41,7 +43,11 @@ pub(super) enum RowError {
 pub(super) struct Recorder<'a> {
     columns: &'a Columns,
     row: Row,
+    /// The times of the first row.
+    first: Vec<f64>,
+    /// The last known times of the last demonstration.
     before: Vec<f64>,
+    /// Where the last row stands.
     place: usize,
     /// How many values the next demonstration is expected to have.
     expected: usize,
@@ -71,8 +77,17 @@ impl<'a> Recorder<'a> {
             times: vec![f64::NAN; columns.times.len()],
             label: String::new(),
         };
-        let before = row.times.clone();
-        Self { columns, row, before, place: 0, expected: 0, ended: BTreeMap::new(), parts: Vec::new() }
+        let unknown = row.times.clone();
+        Self {
+            columns,
+            row,
+            first: unknown.clone(),
+            before: unknown,
+            place: 0,
+            expected: 0,
+            ended: BTreeMap::new(),
+            parts: Vec::new(),
+        }
     }
 
     /// Makes room for one demonstration of about `rows` rows, as far as there is any.
@@ -138,9 +153,7 @@ impl<'a> Recorder<'a> {
         if self.parts.len() == MAX_DEMONSTRATIONS {
             return Err(RowError::TooMany { column });
         }
-        if let Some(last) = last {
-            self.ended.insert(last.to_owned(), self.place);
-        }
+        self.end_part();
         let label = self.row.label.clone();
         if let Entry::Occupied(ended) = self.ended.entry(label.clone()) {
             return Err(RowError::Returned { column, label, place: *ended.get() });
@@ -151,7 +164,17 @@ impl<'a> Recorder<'a> {
         Ok(())
     }
 
+    /// Notes where the last demonstration ended.
+    fn end_part(&mut self) {
+        if let Some(label) = self.parts.last().and_then(|part| part.label.as_ref()) {
+            self.ended.insert(label.clone(), self.place);
+        }
+    }
+
     fn push_part(&mut self, label: Option<String>) {
+        if self.parts.is_empty() {
+            self.first.clone_from(&self.row.times);
+        }
         let mut values = Vec::new();
         // Where there is no such room, there may be enough for what really comes.
         values.try_reserve_exact(self.expected).unwrap_or_default();

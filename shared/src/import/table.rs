@@ -6,6 +6,7 @@
 mod careful;
 mod layout;
 mod names;
+mod pieces;
 mod plain;
 #[cfg(test)]
 mod tests;
@@ -26,7 +27,7 @@ struct Frames<'a> {
 
 /// Reads a table in one pass; only the current line is held beside the values.
 pub(super) fn read(text: &str, header: Header) -> Result<Recordings, ImportError> {
-    read_with(plain::read, text, header)
+    read_with(pieces::read, text, header)
 }
 
 /// Reads a table, its lines with `plain` up to the byte of the file that it returns.

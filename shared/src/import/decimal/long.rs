@@ -41,7 +41,7 @@ pub(super) fn leading(bytes: &[u8]) -> Option<Leading> {
 
 /// `number` with the digits at `start` behind its own, and where they end; of more digits than fit into 64 bits the number
 /// is not told.
-#[inline(always)]
+#[inline]
 fn digits(mut number: u64, window: &[u8; WINDOW], start: usize) -> Option<(u64, usize)> {
     let mut at = start;
     while at + WORD < WINDOW {
@@ -62,7 +62,7 @@ struct Exponent {
     end: usize,
 }
 
-#[inline(always)]
+#[inline]
 fn exponent(window: &[u8; WINDOW], start: usize) -> Option<Exponent> {
     let sign = window.get(start).filter(|&&byte| byte == b'-' || byte == b'+');
     let start = start + usize::from(sign.is_some());

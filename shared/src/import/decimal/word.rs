@@ -4,19 +4,19 @@
 pub(super) const WORD: usize = 8;
 
 /// The eight bytes of `text` from `at` on, which must be there.
-#[inline(always)]
+#[inline]
 pub(super) fn eight<const LENGTH: usize>(text: &[u8; LENGTH], at: usize) -> [u8; WORD] {
     std::array::from_fn(|index| text[at + index])
 }
 
 /// The values of eight bytes of text as digits, a byte each; what is more than nine is no digit.
-#[inline(always)]
+#[inline]
 pub(super) fn digits(bytes: [u8; WORD]) -> u64 {
     u64::from_le_bytes(bytes) ^ u64::from_le_bytes([b'0'; WORD])
 }
 
 /// How many digits there are before the first byte that is none.
-#[inline(always)]
+#[inline]
 pub(super) fn count(digits: u64) -> usize {
     const HIGHEST: u64 = u64::from_le_bytes([0x80; WORD]);
     const TO_HIGHEST: u64 = u64::from_le_bytes([0x80 - 10; WORD]);
@@ -26,13 +26,13 @@ pub(super) fn count(digits: u64) -> usize {
 }
 
 /// The first `count` digits, fewer than eight, and nothing behind them.
-#[inline(always)]
+#[inline]
 pub(super) fn first(digits: u64, count: usize) -> u64 {
     digits & ((1 << (8 * count)) - 1)
 }
 
 /// The number that the first `count` digits make, up to eight of them; that of none is 0.
-#[inline(always)]
+#[inline]
 pub(super) fn number(digits: u64, count: usize) -> u64 {
     // As if there were as many zeros before them as make a word. Then pairs of digits become numbers, then pairs of these.
     let ones = digits.checked_shl(8 * (WORD - count) as u32).unwrap_or(0);

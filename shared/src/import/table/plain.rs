@@ -3,6 +3,8 @@
 //! Nothing is refused here. A line that is anything but one value for each column, without quotation marks, is left to
 //! the [careful way](super::careful), together with the lines behind it.
 
+use std::ops::Range;
+
 use memchr::{memchr_iter, memchr2, memchr3};
 
 use super::Frames;
@@ -15,29 +17,32 @@ use crate::import::recording::Row;
 /// From how much of a table the number of its lines is estimated.
 const SAMPLE: usize = 1 << 16;
 
-/// Reads lines from byte `start` of the file on; returns where the first begins that is not plain, or the file's end.
+/// Reads the lines that are at `range` in the file; returns where the first begins that is not plain, or the range's end.
 ///
 /// # Errors
 ///
 /// When a plain line does not follow the line before it.
-pub(super) fn read(frames: &mut Frames<'_>, start: usize) -> Result<usize, ImportError> {
-    let bytes = frames.table.text.as_bytes();
-    let columns = &frames.names.columns;
-    let separator = frames.table.separator;
-    let end = memchr2(b'\n', b'\r', &bytes[start..]).map_or(b'\n', |at| bytes[start + at]);
-    let line = Line { roles: &columns.roles, separator: separator.byte(), decimal: separator.decimal(), end };
-    if columns.label.is_none() {
-        let rest = &bytes[start..];
-        // However short the lines are later on, each has a byte for each column.
-        frames.recorder.expect_rows(estimated_lines(rest).min(rest.len() / columns.roles.len() + 1));
-    }
-    let mut place = start;
+pub(super) fn read(frames: &mut Frames<'_>, range: Range<usize>) -> Result<usize, ImportError> {
+    expect_rows(frames, range.clone());
+    let bytes = &frames.table.text.as_bytes()[..range.end];
+    let line = Line::of(frames, &bytes[range.start..]);
+    let mut place = range.start;
     loop {
         place += bytes[place..].iter().take_while(|&&byte| is_line_end(byte)).count();
         let row = frames.recorder.next_row();
         let Some(length) = line.fill(row, &bytes[place..]) else { return Ok(place) };
         frames.push_row(place)?;
         place += length;
+    }
+}
+
+/// Makes room for the rows at `range`, as far as they are of one demonstration.
+pub(super) fn expect_rows(frames: &mut Frames<'_>, range: Range<usize>) {
+    let columns = &frames.names.columns;
+    if columns.label.is_none() {
+        let bytes = &frames.table.text.as_bytes()[range];
+        // However short the lines are later on, each has a byte for each column.
+        frames.recorder.expect_rows(estimated_lines(bytes).min(bytes.len() / columns.roles.len() + 1));
     }
 }
 
@@ -50,7 +55,18 @@ struct Line<'a> {
     end: u8,
 }
 
-impl Line<'_> {
+impl<'a> Line<'a> {
+    /// What the plain lines of a table are like, of which the next are `bytes`.
+    fn of(frames: &Frames<'a>, bytes: &[u8]) -> Self {
+        let separator = frames.table.separator;
+        Self {
+            roles: &frames.names.columns.roles,
+            separator: separator.byte(),
+            decimal: separator.decimal(),
+            end: memchr2(b'\n', b'\r', bytes).map_or(b'\n', |at| bytes[at]),
+        }
+    }
+
     /// Fills `row` with the line at the beginning of `bytes`; returns the line's length when it is plain.
     fn fill(&self, row: &mut Row, bytes: &[u8]) -> Option<usize> {
         let (&last, others) = self.roles.split_last()?;
@@ -62,7 +78,7 @@ impl Line<'_> {
     }
 
     /// Fills the place of `role` with the cell at the beginning of `bytes` that is ended by `end`; returns the cell's length.
-    #[inline(always)]
+    #[inline]
     fn fill_cell(&self, row: &mut Row, role: Role, bytes: &[u8], end: u8) -> Option<usize> {
         match role {
             Role::Feature(feature) => {
@@ -81,7 +97,7 @@ impl Line<'_> {
     }
 
     /// The number in the cell at the beginning of `bytes`, and the cell's length.
-    #[inline(always)]
+    #[inline]
     fn number(&self, bytes: &[u8], end: u8) -> Option<(Result<f64, CellError>, usize)> {
         match leading_decimal(bytes) {
             Some(decimal) if decimal.next == Some(end) => Some((Ok(decimal.value), decimal.length)),

@@ -22,8 +22,14 @@ fn shown(read: Result<Recordings, ImportError>) -> Read {
 #[track_caller]
 fn check(text: &str) {
     for header in [Header::Detect, Header::Absent] {
-        let careful = read_with(|_, start| Ok(start), text, header);
-        assert_eq!(shown(read(text, header)), shown(careful), "{text:?}");
+        let careful = shown(read_with(|_, start| Ok(start), text, header));
+        let plain = read_with(|frames, start| plain::read(frames, start..text.len()), text, header);
+        assert_eq!(shown(plain), careful, "{text:?}");
+        for (bytes, at_once) in [(0, 2), (10, 3), (30, 1000)] {
+            let split = pieces::Split { bytes, at_once };
+            let pieces = read_with(|frames, start| pieces::read_split(frames, start, split), text, header);
+            assert_eq!(shown(pieces), careful, "{text:?}, {split:?}");
+        }
     }
 }
 
@@ -31,7 +37,7 @@ fn check(text: &str) {
 fn plain_bytes(text: &str) -> usize {
     let mut end = 0;
     let count = |frames: &mut Frames<'_>, start: usize| {
-        end = plain::read(frames, start)?;
+        end = plain::read(frames, start..text.len())?;
         Ok(end)
     };
     assert!(read_with(count, text, Header::Detect).is_ok(), "{text:?}");
