@@ -9,7 +9,7 @@ use goalgraph::dbscan::{DbscanParameters, dbscan};
 use goalgraph::pdfa::{Pdfa, Word};
 use goalgraph::points::Points;
 use goalgraph_bench::clouds::Cloud;
-use goalgraph_bench::recordings::{File, one_file, read};
+use goalgraph_bench::recordings::{File, one_file, read_digested};
 use goalgraph_bench::words::words;
 
 /// A workload that is counted.
@@ -72,7 +72,8 @@ pub(crate) fn run(name: &str) -> Result<()> {
 fn instructions_of_goalgraph(work: &Work) {
     match work {
         Work::Cluster(points, parameters) => drop(black_box(dbscan(points, *parameters))),
-        Work::Read(file) => drop(black_box(read(file))),
+        // Valgrind's processor has no instructions for SHA-256: the digest would be most of what is counted.
+        Work::Read(file) => drop(black_box(read_digested(file))),
         Work::Infer(words) => drop(black_box(Pdfa::from_words(words))),
     }
 }

@@ -1,7 +1,7 @@
 //! Demonstrations as the CSV files that people drop.
 
 use goalgraph::demonstration::Demonstration;
-use goalgraph::import::{Header, ImportError, import};
+use goalgraph::import::{Header, ImportError, import, import_digested};
 use goalgraph_tasks::{Task, four_blocks, tower};
 
 /// Frames of each of the [`nine_files`].
@@ -59,6 +59,15 @@ pub fn blocks(demonstrations: usize) -> Task {
 /// When the file breaks its format.
 pub fn read(file: &File) -> Result<Vec<Demonstration>, ImportError> {
     import(&file.name, file.text.as_bytes(), Header::Detect)
+}
+
+/// The demonstrations in a file whose digest is known, as it is in the browser.
+///
+/// # Errors
+///
+/// When the file breaks its format.
+pub fn read_digested(file: &File) -> Result<Vec<Demonstration>, ImportError> {
+    import_digested(&file.name, "known", file.text.as_bytes(), Header::Detect)
 }
 
 #[cfg(test)]

@@ -21,6 +21,7 @@ pub(super) struct Leading {
 ///
 /// Where it ends the text, it is bit for bit what [`str::parse`] makes of it: the double nearest to the decimal, of two
 /// the even one.
+#[expect(clippy::inline_always, reason = "a call for each cell costs as much as reading it")]
 #[inline(always)]
 pub(super) fn leading_decimal(bytes: &[u8]) -> Option<Leading> {
     short::leading(bytes).or_else(|| long::leading(bytes))

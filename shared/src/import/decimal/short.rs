@@ -10,6 +10,7 @@ const DIVISORS: [f64; 2 * WORD] =
     [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, -1e0, -1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7];
 
 /// The number at the beginning of `bytes` where it is short, has digits before its point, and enough text follows it.
+#[expect(clippy::inline_always, reason = "a call for each cell costs as much as reading it")]
 #[inline(always)]
 pub(super) fn leading(bytes: &[u8]) -> Option<Leading> {
     let window: &[u8; WINDOW] = bytes.first_chunk()?;

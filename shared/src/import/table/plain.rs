@@ -78,7 +78,8 @@ impl<'a> Line<'a> {
     }
 
     /// Fills the place of `role` with the cell at the beginning of `bytes` that is ended by `end`; returns the cell's length.
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call for each cell costs as much as reading it")]
+    #[inline(always)]
     fn fill_cell(&self, row: &mut Row, role: Role, bytes: &[u8], end: u8) -> Option<usize> {
         match role {
             Role::Feature(feature) => {
@@ -97,7 +98,8 @@ impl<'a> Line<'a> {
     }
 
     /// The number in the cell at the beginning of `bytes`, and the cell's length.
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call for each cell costs as much as reading it")]
+    #[inline(always)]
     fn number(&self, bytes: &[u8], end: u8) -> Option<(Result<f64, CellError>, usize)> {
         match leading_decimal(bytes) {
             Some(decimal) if decimal.next == Some(end) => Some((Ok(decimal.value), decimal.length)),
