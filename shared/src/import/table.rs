@@ -4,6 +4,7 @@
 //! or words about what is wrong with it. From there on they are read the careful way, which decides what is accepted.
 
 mod careful;
+mod first;
 mod layout;
 mod names;
 mod pieces;
@@ -11,7 +12,7 @@ mod plain;
 #[cfg(test)]
 mod tests;
 
-use self::careful::Records;
+use self::first::first;
 use self::layout::Layout;
 use self::names::{Names, Origin};
 use super::recording::{Recorder, Recordings};
@@ -37,13 +38,12 @@ fn read_with(
     header: Header,
 ) -> Result<Recordings, ImportError> {
     let table = Layout::detect(text);
-    let mut first = Records::new(&table, table.start());
-    if !first.advance()? {
+    let Some(first) = first(&table)? else {
         return Err(ImportError::whole("there are only comments; expected lines of values"));
-    }
-    let names = Names::find(&table, first.record(), header)
-        .map_err(|message| ImportError::at(table.line_at(first.place()), message))?;
-    let start = if names.origin == Origin::FirstLine { first.end() } else { table.start() };
+    };
+    let names = Names::find(&table, &first.record, header)
+        .map_err(|message| ImportError::at(table.line_at(first.place), message))?;
+    let start = if names.origin == Origin::FirstLine { first.end } else { table.start() };
     let mut frames = Frames { table: &table, names: &names, recorder: Recorder::new(&names.columns) };
     let rest = plain(&mut frames, start)?;
     if rest < text.len() {

@@ -56,8 +56,13 @@ impl<'a> Records<'a> {
         }
     }
 
+    /// The line, when no more are wanted.
+    pub(super) fn into_record(self) -> ByteRecord {
+        self.record
+    }
+
     /// The line.
-    pub(super) fn record(&self) -> &ByteRecord {
+    fn record(&self) -> &ByteRecord {
         &self.record
     }
 

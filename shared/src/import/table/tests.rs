@@ -21,6 +21,16 @@ fn shown(read: Result<Recordings, ImportError>) -> Read {
 
 #[track_caller]
 fn check(text: &str) {
+    let table = Layout::detect(text);
+    if let Some(plain) = first::plain_first(&table) {
+        let careful = first::careful_first(&table).unwrap().unwrap();
+        let starts = (table.line_at(plain.end), table.line_at(careful.end));
+        assert_eq!(
+            (&plain.record, plain.place, starts.0),
+            (&careful.record, careful.place, starts.1),
+            "{text:?}"
+        );
+    }
     for header in [Header::Detect, Header::Absent] {
         let careful = shown(read_with(|_, start| Ok(start), text, header));
         let plain = read_with(|frames, start| plain::read(frames, start..text.len()), text, header);
