@@ -7,6 +7,9 @@ mod short;
 mod tests;
 mod word;
 
+pub(super) use self::long::leading as long_decimal;
+pub(super) use self::short::leading as short_decimal;
+
 /// The finite number at the beginning of a text.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Leading {
@@ -21,8 +24,9 @@ pub(super) struct Leading {
 ///
 /// Where it ends the text, it is bit for bit what [`str::parse`] makes of it: the double nearest to the decimal, of two
 /// the even one.
-#[expect(clippy::inline_always, reason = "a call for each cell costs as much as reading it")]
-#[inline(always)]
 pub(super) fn leading_decimal(bytes: &[u8]) -> Option<Leading> {
-    short::leading(bytes).or_else(|| long::leading(bytes))
+    match short_decimal(bytes) {
+        None => long_decimal(bytes),
+        short => short,
+    }
 }

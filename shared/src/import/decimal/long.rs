@@ -15,7 +15,7 @@ const POWERS_OF_TEN: [u64; WORD + 1] =
     [1, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
 
 /// The number at the beginning of `bytes` where it is not too long and enough text follows it.
-pub(super) fn leading(bytes: &[u8]) -> Option<Leading> {
+pub(in crate::import) fn leading(bytes: &[u8]) -> Option<Leading> {
     let window: &[u8; WINDOW] = bytes.first_chunk()?;
     let sign = usize::from(window[0] == b'-');
     let (mut number, mut length) = digits(0, window, sign)?;

@@ -12,7 +12,7 @@ const DIVISORS: [f64; 2 * WORD] =
 /// The number at the beginning of `bytes` where it is short, has digits before its point, and enough text follows it.
 #[expect(clippy::inline_always, reason = "a call for each cell costs as much as reading it")]
 #[inline(always)]
-pub(super) fn leading(bytes: &[u8]) -> Option<Leading> {
+pub(in crate::import) fn leading(bytes: &[u8]) -> Option<Leading> {
     let window: &[u8; WINDOW] = bytes.first_chunk()?;
     let sign = usize::from(window[0] == b'-');
     let before = word::digits(eight(window, sign));

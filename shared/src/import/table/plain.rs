@@ -11,7 +11,7 @@ use super::Frames;
 use crate::import::ImportError;
 use crate::import::cell::{self, CellError, Decimal};
 use crate::import::column::Role;
-use crate::import::decimal::leading_decimal;
+use crate::import::decimal::{leading_decimal, long_decimal, short_decimal};
 use crate::import::recording::Row;
 
 /// From how much of a table the number of its lines is estimated.
@@ -101,7 +101,15 @@ impl<'a> Line<'a> {
     #[expect(clippy::inline_always, reason = "a call for each cell costs as much as reading it")]
     #[inline(always)]
     fn number(&self, bytes: &[u8], end: u8) -> Option<(Result<f64, CellError>, usize)> {
-        match leading_decimal(bytes) {
+        match short_decimal(bytes) {
+            Some(decimal) if decimal.next == Some(end) => Some((Ok(decimal.value), decimal.length)),
+            _ => self.long_number(bytes, end),
+        }
+    }
+
+    #[inline(never)]
+    fn long_number(&self, bytes: &[u8], end: u8) -> Option<(Result<f64, CellError>, usize)> {
+        match long_decimal(bytes) {
             Some(decimal) if decimal.next == Some(end) => Some((Ok(decimal.value), decimal.length)),
             _ => self.any_number(bytes, end),
         }
