@@ -71,7 +71,7 @@ fn exponent(window: &[u8; WINDOW], start: usize) -> Option<Exponent> {
     }
     let digits = word::digits(eight(window, start));
     let count = word::count(digits);
-    let value = word::number(digits, count) as isize;
+    let value = (word::number(digits, count) as usize).cast_signed();
     let value = if sign == Some(&b'-') { -value } else { value };
     (1..=MOST_EXPONENT_DIGITS).contains(&count).then_some(Exponent { value, end: start + count })
 }

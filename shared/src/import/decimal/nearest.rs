@@ -37,7 +37,7 @@ const RECIPROCALS: [Reciprocal; 28] = {
         let shift = 63 + five.ilog2() + 1;
         reciprocals[power] = Reciprocal {
             significand: ((1 << shift) / five) as u64,
-            exponent: -(shift as i64) - power as i64,
+            exponent: -(shift as i64) - power.cast_signed() as i64,
         };
         power += 1;
     }
