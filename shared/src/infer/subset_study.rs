@@ -13,7 +13,10 @@ use crate::dwell::{Scales, min_dwell_by, scales_of};
 use crate::parallel;
 use crate::points::Track;
 use crate::rest::{Stay, SubsetRecording, SubsetStays, tell_kinds};
-use crate::sub_goal::{Method, RadiusRule, SubGoalSearch, find_sub_goals, parameters_left_to_the_engine};
+use crate::sub_goal::{
+    Clusterings, Method, RadiusRule, SubGoalSearch, find_sub_goals, find_sub_goals_again,
+    parameters_left_to_the_engine,
+};
 use crate::subset::{Setting, SubsetRequest};
 
 /// What is known of one subset in all demonstrations, kept from one inference to the next.
@@ -41,6 +44,7 @@ pub struct SubsetStudy {
     /// The stays as all subsets together show them.
     stays: Option<SubsetStays>,
     left_to_the_engine: OnceLock<DbscanParameters>,
+    clusterings: Clusterings,
     found: Option<(SubsetRequest, RadiusRule, Found)>,
 }
 
@@ -105,11 +109,13 @@ impl SubsetStudy {
             parallel::each(&mut tracks, |study| study.find_stays(clean, min_dwell));
             min_dwell
         });
-        let looked_at = tracks.iter().filter(|study| study.is_looked_at()).count();
+        let were_at: Vec<Option<usize>> = tracks.iter().map(TrackStudy::was_at).collect();
+        let mut clusterings = std::mem::take(&mut self.clusterings);
+        clusterings.follow(&were_at);
         let first_look = |stays| min_dwell.map(|min_dwell| SubsetStays::first(clean, min_dwell, stays));
         self.take_note(name, features, demonstrations, (unclean, clean), tracks, first_look);
-        self.method = method;
-        looked_at
+        (self.method, self.clusterings) = (method, clusterings);
+        were_at.iter().filter(|was_at| was_at.is_none()).count()
     }
 
     /// Comes to where another study is that has [seen](Self::seen) the same in the same tracks.
@@ -181,7 +187,7 @@ impl SubsetStudy {
         self.recording.features == features && self.demonstrations.contains(&demonstration)
     }
 
-    /// Takes note of the stays that [`tell`] has told; none where every frame is looked at.
+    /// Takes note of the stays that [`tell`] has told of the last look; none where every frame is looked at.
     pub fn set_stays(&mut self, stays: Option<SubsetStays>) {
         if self.stays != stays {
             self.stays = stays;
@@ -204,15 +210,16 @@ impl SubsetStudy {
         if self.is_found(request, radius) {
             return;
         }
-        let search = self.sub_goals(request, radius);
+        let mut clusterings = std::mem::take(&mut self.clusterings);
         let (recording, stays) = self.recording();
+        let search = find_sub_goals_again(recording, stays, &self.chosen(request), radius, &mut clusterings);
         let reached = |index: usize| frames_reached_everywhere(&search.found[index].ball, recording, stays);
         let found = Found {
             reached: parallel::map(search.found.len(), reached),
             unobserved: recording.tracks.iter().filter(|track| track.is_empty()).count(),
             search,
         };
-        self.found = Some((request.clone(), radius, found));
+        (self.found, self.clusterings) = (Some((request.clone(), radius, found)), clusterings);
     }
 
     /// Whether the last search was the same, in the same recording and stays.
@@ -232,6 +239,12 @@ impl SubsetStudy {
     /// That of [`find_sub_goals`], where what is left to the engine is chosen once only.
     pub fn sub_goals(&self, request: &SubsetRequest, radius: RadiusRule) -> SubGoalSearch {
         let (recording, stays) = self.recording();
+        find_sub_goals(recording, stays, &self.chosen(request), radius)
+    }
+
+    /// The `request` with what it leaves to the engine.
+    fn chosen(&self, request: &SubsetRequest) -> SubsetRequest {
+        let (recording, stays) = self.recording();
         let chosen =
             || self.left_to_the_engine.get_or_init(|| parameters_left_to_the_engine(recording, stays));
         let mut request = request.clone();
@@ -241,7 +254,7 @@ impl SubsetStudy {
         if request.min_points == Setting::Auto {
             request.min_points = Setting::Fixed(chosen().min_points);
         }
-        find_sub_goals(recording, stays, &request, radius)
+        request
     }
 
     /// Whether the last look was at the same: another one would show nothing new.
@@ -273,12 +286,14 @@ impl SubsetStudy {
         let tracks = std::mem::take(&mut self.recording.tracks).into_iter();
         let with_notes = tracks.zip(std::mem::take(&mut self.notes));
         let Some(SubsetStays { scales, min_dwell, demonstrations, .. }) = self.first_look.take() else {
-            return with_notes.map(|(track, notes)| TrackStudy::known(track, notes, None)).collect();
+            let study = |(was_at, (track, notes))| TrackStudy::known(was_at, track, notes, None);
+            return with_notes.enumerate().map(study).collect();
         };
         let with_stays = with_notes.zip(demonstrations);
-        let study =
-            |((track, notes), stays)| TrackStudy::known(track, notes, Some((scales, min_dwell, stays)));
-        with_stays.map(study).collect()
+        let study = |(was_at, ((track, notes), stays))| {
+            TrackStudy::known(was_at, track, notes, Some((scales, min_dwell, stays)))
+        };
+        with_stays.enumerate().map(study).collect()
     }
 }
 

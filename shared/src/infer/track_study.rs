@@ -30,19 +30,24 @@ pub(super) struct TrackStudy {
     pub(super) notes: Notes,
     /// The stays of a first look, by these scales and this shortest dwell.
     stays: Option<(Scales, usize, Vec<Stay>)>,
-    /// Whether it is new, or a stage that depends on all tracks had anything to do.
-    is_looked_at: bool,
+    /// Where it was among the tracks of the last time, as long as nothing of it is another.
+    was_at: Option<usize>,
 }
 
 impl TrackStudy {
     /// A track that nobody has looked at.
     pub(super) fn new(track: Track) -> Self {
-        Self { track, is_looked_at: true, ..Self::default() }
+        Self { track, ..Self::default() }
     }
 
-    /// A track that was looked at before.
-    pub(super) fn known(track: Track, notes: Notes, stays: Option<(Scales, usize, Vec<Stay>)>) -> Self {
-        Self { track, notes, stays, is_looked_at: false }
+    /// A track that was looked at before, where it was then.
+    pub(super) fn known(
+        was_at: usize,
+        track: Track,
+        notes: Notes,
+        stays: Option<(Scales, usize, Vec<Stay>)>,
+    ) -> Self {
+        Self { track, notes, stays, was_at: Some(was_at) }
     }
 
     /// The first stage: what the whole track tells of the scales.
@@ -59,7 +64,7 @@ impl TrackStudy {
             let whole = joined(std::mem::take(&mut self.track), &self.notes.wild);
             let positions = by.map(|scales| wild_detections(&whole, scales)).unwrap_or_default();
             self.leave_out(whole, &positions, by);
-            self.is_looked_at = true;
+            self.was_at = None;
         }
         if self.notes.tame.is_none() && !self.notes.wild.positions.is_empty() {
             self.notes.tame = Some(Tally::of(&self.track));
@@ -92,7 +97,7 @@ impl TrackStudy {
     pub(super) fn find_stays(&mut self, scales: Scales, min_dwell: usize) {
         if !self.stays.as_ref().is_some_and(|known| (known.0, known.1) == (scales, min_dwell)) {
             self.stays = Some((scales, min_dwell, stays_of_track(&self.track, scales, min_dwell)));
-            self.is_looked_at = true;
+            self.was_at = None;
         }
     }
 
@@ -111,9 +116,10 @@ impl TrackStudy {
         (&self.track, &mut self.notes.speeds)
     }
 
-    /// Whether it is new, or a stage that depends on all tracks had anything to do.
-    pub(super) fn is_looked_at(&self) -> bool {
-        self.is_looked_at
+    /// Where it was among the tracks of the last time; none if it is new, or a stage that depends on all tracks had
+    /// anything to do.
+    pub(super) fn was_at(&self) -> Option<usize> {
+        self.was_at
     }
 
     /// Takes it apart: the clean track, the notes and the stays, none where they were not looked for.
