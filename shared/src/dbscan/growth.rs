@@ -61,7 +61,9 @@ fn grown(points: &Points, parameters: DbscanParameters, before: &[Before]) -> Op
     if strays.iter().any(is_near_joining) {
         return None;
     }
-    joining.iter().for_each(|&(point, cluster)| known.clusters[cluster].push(point));
+    for &(point, cluster) in &joining {
+        known.clusters[cluster].push(point);
+    }
     let mut settled = Settled::new(before, known.clusters.len());
     let mut waiting = joining;
     for _ in 0..ROUNDS {
@@ -78,7 +80,9 @@ fn grown(points: &Points, parameters: DbscanParameters, before: &[Before]) -> Op
 /// The clusters of those points that are far from all others.
 fn clusters_of(points: &Points, parameters: DbscanParameters, positions: &[usize]) -> Vec<Vec<usize>> {
     let mut alone = Points::new(points.dimension());
-    positions.iter().for_each(|&position| alone.push(points.point(position)));
+    for &position in positions {
+        alone.push(points.point(position));
+    }
     let labels = dbscan(&alone, parameters);
     let mut clusters = vec![Vec::new(); labels.clusters()];
     for (&position, label) in positions.iter().zip(labels.iter()) {

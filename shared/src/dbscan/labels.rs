@@ -19,7 +19,9 @@ impl Labels {
     pub(super) fn of_clusters(count: usize, clusters: &[Vec<usize>]) -> Self {
         let mut numbers = vec![NOISE; count];
         for (number, members) in clusters.iter().enumerate() {
-            members.iter().for_each(|&member| numbers[member] = number as u32);
+            for &member in members {
+                numbers[member] = number as u32;
+            }
         }
         number_by_first_point(numbers, clusters.len())
     }
