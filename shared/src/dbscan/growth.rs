@@ -21,9 +21,6 @@ const FEW: usize = 16;
 /// How often it is tried to reach new points by others that have been reached: they mostly follow each other.
 const ROUNDS: usize = 4;
 
-/// Of a cluster so many points at a time are in one box: they mostly come from one stay, where they lie close together.
-const IN_BOX: usize = 32;
-
 /// Keeps what is further away than a neighbor's neighbor apart in spite of rounding.
 const ROOM: f64 = 1.0 + 1e-9;
 
@@ -100,8 +97,8 @@ struct Known<'a> {
     squared_epsilon: f64,
     /// The points of each cluster.
     clusters: Vec<Vec<usize>>,
-    /// Boxes around so many points of a cluster as it was, each with the cluster's number.
-    boxes: Vec<(usize, Vec<f64>)>,
+    /// The box around each cluster as it was.
+    boxes: Vec<Vec<f64>>,
     noise: Vec<usize>,
 }
 
@@ -118,15 +115,12 @@ impl<'a> Known<'a> {
                 }
             }
         }
-        let boxed = |members: &[usize]| {
+        let boxed = |members: &Vec<usize>| {
             let mut bounds = Vec::with_capacity(2 * points.dimension());
             around(points.dimension(), members.iter().map(|&member| points.point(member)), &mut bounds);
             bounds
         };
-        let of_cluster = |(number, members): (usize, &Vec<usize>)| {
-            members.chunks(IN_BOX).map(|members| (number, boxed(members))).collect::<Vec<_>>()
-        };
-        let boxes = clusters.iter().enumerate().flat_map(of_cluster).collect();
+        let boxes = clusters.iter().map(boxed).collect();
         let squared_epsilon = parameters.epsilon * parameters.epsilon;
         Self { points, min_points: parameters.min_points, squared_epsilon, clusters, boxes, noise }
     }
@@ -143,18 +137,13 @@ impl<'a> Known<'a> {
     fn home(&self, point: usize) -> Home {
         let own = Bounds::of_point(self.points.point(point));
         let far = 4.0 * self.squared_epsilon * ROOM;
-        let (mut around, mut is_near) = (Vec::new(), false);
-        for (cluster, bounds) in &self.boxes {
-            let gap = Bounds::new(self.points.dimension(), bounds).nearest(&own);
-            if gap <= far && !around.contains(cluster) {
-                around.push(*cluster);
-            }
-            is_near |= gap <= self.squared_epsilon;
-        }
+        let gaps = self.boxes.iter().map(|bounds| Bounds::new(self.points.dimension(), bounds).nearest(&own));
+        let around: Vec<(usize, f64)> = gaps.enumerate().filter(|&(_, gap)| gap <= far).collect();
+        let is_near = around.iter().any(|&(_, gap)| gap <= self.squared_epsilon);
         let noise = self.noise.iter().map(|&noise| self.squared(point, noise)).fold(f64::INFINITY, f64::min);
         match around[..] {
             _ if !is_near && noise > self.squared_epsilon => Home::Nowhere,
-            [cluster] if is_near && noise > far => Home::In(cluster),
+            [(cluster, _)] if is_near && noise > far => Home::In(cluster),
             _ => Home::Unclear,
         }
     }
