@@ -10,6 +10,7 @@ mod cells;
 mod components;
 mod core_points;
 mod grid;
+mod growth;
 mod join;
 mod labels;
 mod rows;
@@ -17,6 +18,7 @@ mod tree;
 
 use crate::points::Points;
 use cells::Cells;
+pub(crate) use growth::{Before, dbscan_of_more};
 pub use labels::Labels;
 use rows::{Fixed, Space, Wide};
 

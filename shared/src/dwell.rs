@@ -1,5 +1,6 @@
 //! Where a thing stays still: dwells in the track of a feature subset.
 
+mod classes;
 mod length;
 mod running_median;
 mod scales;
@@ -10,9 +11,9 @@ use std::ops::Range;
 use serde::{Deserialize, Serialize};
 
 use crate::points::{Track, distance, median_of, median_point, squared_distance};
-pub use length::min_dwell;
+pub use length::{Speeds, min_dwell, min_dwell_by};
 use running_median::RunningMedian;
-pub use scales::{Scales, scales};
+pub use scales::{Scales, Tally, scales, scales_of};
 pub use wild::wild_detections;
 
 /// A stretch of a track in which the partial state stays at one place.

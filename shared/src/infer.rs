@@ -9,6 +9,7 @@ mod objections;
 mod reading;
 mod study;
 mod subset_study;
+mod track_study;
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;

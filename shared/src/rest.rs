@@ -27,6 +27,7 @@ use crate::parallel;
 use crate::points::Track;
 pub use axis::Axis;
 pub use first_look::first_look;
+pub(crate) use first_look::stays_of_track;
 use late_starts::forgive_late_starts;
 use left_alone::{shortest_left, tell_left_alone};
 use pauses::tell_pauses;

@@ -1,6 +1,7 @@
 //! Sub-goals: clusters of partial states, their balls, and which of them are eliminated.
 
 mod candidates;
+mod clustering;
 mod elimination;
 mod radius;
 
@@ -13,6 +14,7 @@ use crate::rest::{Kind, Stay, SubsetRecording, SubsetStays, stays as find_stays}
 use crate::specification::{Ball, SubsetParameters};
 use crate::subset::{Setting, SubsetRequest};
 use candidates::Candidates;
+pub use clustering::Clusterings;
 use elimination::{reason_against, starts_and_pauses};
 
 /// Which frames are clustered, and when a sub-goal counts as reached.
@@ -83,18 +85,37 @@ pub fn find_sub_goals(
     request: &SubsetRequest,
     radius: RadiusRule,
 ) -> SubGoalSearch {
+    find_sub_goals_again(recording, stays, request, radius, &mut Clusterings::default())
+}
+
+/// [`find_sub_goals`] where a search before knows of clusters: it is used, and what this one knows put in its place.
+///
+/// What is found is the same, whatever is known; clusters of which nothing has changed but that a few demonstrations were
+/// [added](Clusterings::follow) need not be searched again.
+///
+/// # Complexity
+///
+/// At most that of [`find_sub_goals`]; O(n) for n partial states where only a few of them have come, at places that stand
+/// alone.
+pub fn find_sub_goals_again(
+    recording: &SubsetRecording,
+    stays: Option<&SubsetStays>,
+    request: &SubsetRequest,
+    radius: RadiusRule,
+    known: &mut Clusterings,
+) -> SubGoalSearch {
     let parameters = parameters(recording, stays, request);
     let density = DbscanParameters { epsilon: parameters.epsilon, min_points: parameters.min_points };
     let candidates = candidates(recording, stays);
     let (mut found, mut eliminated) = (Vec::new(), Vec::new());
-    for cluster in candidates.clusters(recording, density, radius) {
+    for cluster in candidates.clusters(recording, density, radius, &mut known.places) {
         match reason_against(&cluster, recording, stays) {
             Some(reason) => eliminated.push(Eliminated { cluster, reason }),
             None => found.push(cluster),
         }
     }
     if let Some(stays) = stays {
-        let others = starts_and_pauses(recording, stays, density, radius, &found, &eliminated);
+        let others = starts_and_pauses(recording, stays, density, radius, &found, &eliminated, known);
         eliminated.extend(others);
     }
     let is_restored = |cluster: &Cluster| request.restored.iter().any(|point| cluster.ball.contains(point));

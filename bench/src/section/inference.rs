@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use anyhow::Result;
 use goalgraph::demonstration::Demonstration;
-use goalgraph::infer::{InferRequest, infer};
+use goalgraph::infer::{InferRequest, Progress, Study, infer};
 use goalgraph_bench::recordings::{File, frames_in_one_file, read};
 
 use crate::Options;
@@ -17,6 +17,7 @@ pub(super) fn run(options: &Options, report: &mut Report) -> Result<()> {
         let file = frames_in_one_file(frames);
         let demonstrations = read(&file)?;
         let taken = measure(report, frames, &file, &demonstrations)?;
+        measure_one_more(report, frames, &demonstrations)?;
         grown.push((frames, taken));
         if taken > 30.0 {
             report.row("more frames", "left out: this would take minutes");
@@ -56,6 +57,26 @@ fn measure(report: &mut Report, frames: usize, file: &File, demonstrations: &[De
         .collect();
     report.row(format!("{} frames, by stage", power(frames)), shares.join(", "));
     Ok(taken)
+}
+
+/// The last of the demonstrations after the others, against all of them from scratch.
+fn measure_one_more(report: &mut Report, frames: usize, demonstrations: &[Demonstration]) -> Result<()> {
+    let one = threads(1)?;
+    let request = InferRequest::default();
+    let quiet = || |_: &Progress| {};
+    let others = &demonstrations[..demonstrations.len().saturating_sub(1)];
+    let mut known = Study::default();
+    one.install(|| known.infer(others, &request, &mut quiet()))?;
+    let turns = take_turns([
+        &mut || {
+            let mut study = known.clone();
+            Ok(one.install(|| seconds(|| study.infer(demonstrations, &request, &mut quiet()))))
+        },
+        &mut || Ok(one.install(|| seconds(|| infer(demonstrations, &request, &mut quiet())))),
+    ])?;
+    let one_more = format!("{} frames, one demonstration more, against from scratch", power(frames));
+    report.row(one_more, times(turns.ratio(0, 1)));
+    Ok(())
 }
 
 /// The stages that the engine tells of, with their seconds.

@@ -15,6 +15,17 @@ pub struct Labels {
 const NOISE: u32 = u32::MAX;
 
 impl Labels {
+    /// Those of points in these clusters, whatever their order; each has a point, and what is in none is noise.
+    pub(super) fn of_clusters(count: usize, clusters: &[Vec<usize>]) -> Self {
+        let mut numbers = vec![NOISE; count];
+        for (number, members) in clusters.iter().enumerate() {
+            for &member in members {
+                numbers[member] = number as u32;
+            }
+        }
+        number_by_first_point(numbers, clusters.len())
+    }
+
     /// How many points there are.
     pub fn len(&self) -> usize {
         self.numbers.len()

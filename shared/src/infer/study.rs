@@ -20,11 +20,15 @@ use crate::subset::SubsetRequest;
 /// | epsilon, `min_points` or what is restored in a subset | that subset is clustered |
 /// | a subset is added, removed or moved | it is looked at and clustered, and so are those whose stays it shows in another light |
 /// | the radius rule | every subset is clustered |
-/// | a demonstration is added or removed | its own tracks are read; every subset is looked at and clustered, because scales and clusters are those of all demonstrations together |
+/// | a demonstration is added | its own tracks are looked at, and their rests added to the clusters of the others |
+/// | a demonstration is removed | every subset is clustered |
+/// | and by that a scale, which is rounded | the tracks of that subset are looked at, and it is clustered |
 /// | the method | every subset is looked at and clustered |
 ///
-/// Words and automaton are cheap beside the rest. Nothing is kept of a demonstration or subset that the last inference
-/// was not about.
+/// Whatever changes, kinds of stays, parameters, balls, words and automaton are made of what is known of all
+/// demonstrations: that is in proportion to all, but cheap beside the rest. A cluster is searched again, with all of its
+/// kind in the subset, where a rest comes in between two or beside noise. Nothing is kept of a demonstration or subset
+/// that the last inference was not about.
 #[derive(Clone, Debug, Default)]
 pub struct Study {
     keys: DemonstrationKeys,
@@ -43,7 +47,7 @@ impl Study {
     ///
     /// # Complexity
     ///
-    /// At most that of [`infer`](super::infer), in the same memory.
+    /// At most that of [`infer`](super::infer). What is kept takes the memory of the tracks and about a fifth more.
     pub fn infer(
         &mut self,
         demonstrations: &[Demonstration],

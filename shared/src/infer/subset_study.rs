@@ -5,15 +5,18 @@ use std::sync::OnceLock;
 
 use serde::{Deserialize, Serialize};
 
-use super::cleaning::{Wild, joined, split};
 use super::keys::DemonstrationKey;
 use super::reading::frames_reached_everywhere;
+use super::track_study::{Notes, TrackStudy};
 use crate::dbscan::DbscanParameters;
-use crate::dwell::{Scales, wild_detections};
+use crate::dwell::{Scales, min_dwell_by, scales_of};
 use crate::parallel;
 use crate::points::Track;
-use crate::rest::{SubsetRecording, SubsetStays, first_look, tell_kinds};
-use crate::sub_goal::{Method, RadiusRule, SubGoalSearch, find_sub_goals, parameters_left_to_the_engine};
+use crate::rest::{Stay, SubsetRecording, SubsetStays, tell_kinds};
+use crate::sub_goal::{
+    Clusterings, Method, RadiusRule, SubGoalSearch, find_sub_goals, find_sub_goals_again,
+    parameters_left_to_the_engine,
+};
 use crate::subset::{Setting, SubsetRequest};
 
 /// What is known of one subset in all demonstrations, kept from one inference to the next.
@@ -34,13 +37,14 @@ pub struct SubsetStudy {
     demonstrations: Vec<DemonstrationKey>,
     /// The scales of the tracks before they were cleaned.
     unclean: Scales,
-    /// What was left out of each track.
-    wild: Vec<Wild>,
+    /// What is known of each track.
+    notes: Vec<Notes>,
     /// The stays as this subset alone shows them.
     first_look: Option<SubsetStays>,
     /// The stays as all subsets together show them.
     stays: Option<SubsetStays>,
     left_to_the_engine: OnceLock<DbscanParameters>,
+    clusterings: Clusterings,
     found: Option<(SubsetRequest, RadiusRule, Found)>,
 }
 
@@ -70,14 +74,16 @@ pub struct Found {
 
 impl SubsetStudy {
     /// Looks at the subset `name` with `features` in `demonstrations`. `track` gives the track in the demonstration at a
-    /// position; it is asked for those that are not [known](Self::knows) yet.
+    /// position; it is asked for those that are not [known](Self::knows) yet. Gives how many tracks were looked at.
     ///
-    /// The scales on which a thing moves and trembles are estimated from all its tracks, so one more demonstration means
-    /// new scales for all of them, and every track is looked at anew.
+    /// The scales on which a thing moves and trembles are those of all its tracks. They are [rounded](scales_of), so one
+    /// more demonstration mostly leaves them what they are, and then it alone is looked at. Where a scale changes, every
+    /// track is looked at anew.
     ///
     /// # Complexity
     ///
-    /// O(frames x features); O(demonstrations) where they are those of the last time.
+    /// O(frames x features) in the tracks that are looked at, and O(T log F) in T others of F frames; O(demonstrations)
+    /// where they are those of the last time.
     pub fn look(
         &mut self,
         name: &str,
@@ -85,30 +91,31 @@ impl SubsetStudy {
         method: Method,
         demonstrations: &[DemonstrationKey],
         track: impl Fn(usize) -> Track + Sync + Send,
-    ) {
+    ) -> usize {
         name.clone_into(&mut self.recording.name);
         if self.is_of(features, method, demonstrations) {
-            return;
+            return 0;
         }
-        let (before, unclean_before) = (self.method, self.unclean);
-        let (tracks, known_wild) = self.take_tracks(features, demonstrations, track);
-        let whole = SubsetRecording::new(name, features, tracks);
-        let unclean = whole.scales;
-        let is_known = before == method && unclean_before == unclean;
-        let wild = parallel::map(known_wild.len(), |index| match (&known_wild[index], method) {
-            (_, Method::Published) => Vec::new(),
-            (Some(positions), Method::AtRest) if is_known => positions.clone(),
-            (_, Method::AtRest) => wild_detections(&whole.tracks[index], unclean),
+        let mut tracks = self.take_tracks(features, demonstrations, track);
+        let dimension = tracks.first().map_or(1, |study| study.track.points.dimension());
+        parallel::each(&mut tracks, TrackStudy::tally_whole);
+        let unclean = scales_of(dimension, tracks.iter().filter_map(TrackStudy::whole));
+        let is_at_rest = method == Method::AtRest;
+        parallel::each(&mut tracks, |study| study.clean(is_at_rest.then_some(unclean)));
+        let clean = scales_of(dimension, tracks.iter().filter_map(TrackStudy::tame));
+        let min_dwell = is_at_rest.then(|| {
+            let min_dwell =
+                min_dwell_by(&mut tracks.iter_mut().map(TrackStudy::with_speeds).collect::<Vec<_>>(), clean);
+            parallel::each(&mut tracks, |study| study.find_stays(clean, min_dwell));
+            min_dwell
         });
-        let (recording, wild) = if wild.iter().all(Vec::is_empty) {
-            (whole, vec![Wild::default(); wild.len()])
-        } else {
-            let (tracks, wild) = split_all(whole.tracks, &wild);
-            (SubsetRecording::new(name, features, tracks), wild)
-        };
-        let first_look = (method == Method::AtRest).then(|| first_look(&recording));
-        let demonstrations = demonstrations.to_vec();
-        *self = Self { recording, method, demonstrations, unclean, wild, first_look, ..Self::default() };
+        let were_at: Vec<Option<usize>> = tracks.iter().map(TrackStudy::was_at).collect();
+        let mut clusterings = std::mem::take(&mut self.clusterings);
+        clusterings.follow(&were_at);
+        let first_look = |stays| min_dwell.map(|min_dwell| SubsetStays::first(clean, min_dwell, stays));
+        self.take_note(name, features, demonstrations, (unclean, clean), tracks, first_look);
+        (self.method, self.clusterings) = (method, clusterings);
+        were_at.iter().filter(|was_at| was_at.is_none()).count()
     }
 
     /// Comes to where another study is that has [seen](Self::seen) the same in the same tracks.
@@ -124,16 +131,43 @@ impl SubsetStudy {
         track: impl Fn(usize) -> Track + Sync + Send,
         seen: Seen,
     ) {
-        let (tracks, _) = self.take_tracks(features, demonstrations, track);
-        let (tracks, wild) = split_all(tracks, &seen.wild);
-        let (name, features, scales) = (name.to_owned(), features.to_vec(), seen.clean);
+        let mut tracks = self.take_tracks(features, demonstrations, track);
+        let by = seen.stays.is_some().then_some(seen.unclean);
+        for (study, wild) in tracks.iter_mut().zip(&seen.wild) {
+            study.clean_as_told(wild, by);
+        }
+        self.take_note(name, features, demonstrations, (seen.unclean, seen.clean), tracks, |_| seen.stays);
+        self.method = if by.is_some() { Method::AtRest } else { Method::Published };
+    }
+
+    /// Puts what a look has told in the place of what was known.
+    fn take_note(
+        &mut self,
+        name: &str,
+        features: &[String],
+        demonstrations: &[DemonstrationKey],
+        (unclean, clean): (Scales, Scales),
+        studies: Vec<TrackStudy>,
+        first_look: impl FnOnce(Vec<Vec<Stay>>) -> Option<SubsetStays>,
+    ) {
+        let (mut tracks, mut notes, mut stays) = (Vec::new(), Vec::new(), Vec::new());
+        for study in studies {
+            let parts = study.into_parts();
+            tracks.push(parts.0);
+            notes.push(parts.1);
+            stays.push(parts.2);
+        }
         *self = Self {
-            recording: SubsetRecording { name, features, tracks, scales },
-            method: if seen.stays.is_some() { Method::AtRest } else { Method::Published },
+            recording: SubsetRecording {
+                name: name.to_owned(),
+                features: features.to_vec(),
+                tracks,
+                scales: clean,
+            },
             demonstrations: demonstrations.to_vec(),
-            unclean: seen.unclean,
-            wild,
-            first_look: seen.stays,
+            unclean,
+            notes,
+            first_look: first_look(stays),
             ..Self::default()
         };
     }
@@ -143,7 +177,7 @@ impl SubsetStudy {
         Seen {
             unclean: self.unclean,
             clean: self.recording.scales,
-            wild: self.wild.iter().map(|wild| wild.positions.clone()).collect(),
+            wild: self.notes.iter().map(|notes| notes.wild.positions.clone()).collect(),
             stays: self.first_look.clone(),
         }
     }
@@ -153,7 +187,7 @@ impl SubsetStudy {
         self.recording.features == features && self.demonstrations.contains(&demonstration)
     }
 
-    /// Takes note of the stays that [`tell`] has told; none where every frame is looked at.
+    /// Takes note of the stays that [`tell`] has told of the last look; none where every frame is looked at.
     pub fn set_stays(&mut self, stays: Option<SubsetStays>) {
         if self.stays != stays {
             self.stays = stays;
@@ -176,15 +210,16 @@ impl SubsetStudy {
         if self.is_found(request, radius) {
             return;
         }
-        let search = self.sub_goals(request, radius);
+        let mut clusterings = std::mem::take(&mut self.clusterings);
         let (recording, stays) = self.recording();
+        let search = find_sub_goals_again(recording, stays, &self.chosen(request), radius, &mut clusterings);
         let reached = |index: usize| frames_reached_everywhere(&search.found[index].ball, recording, stays);
         let found = Found {
             reached: parallel::map(search.found.len(), reached),
             unobserved: recording.tracks.iter().filter(|track| track.is_empty()).count(),
             search,
         };
-        self.found = Some((request.clone(), radius, found));
+        (self.found, self.clusterings) = (Some((request.clone(), radius, found)), clusterings);
     }
 
     /// Whether the last search was the same, in the same recording and stays.
@@ -204,6 +239,12 @@ impl SubsetStudy {
     /// That of [`find_sub_goals`], where what is left to the engine is chosen once only.
     pub fn sub_goals(&self, request: &SubsetRequest, radius: RadiusRule) -> SubGoalSearch {
         let (recording, stays) = self.recording();
+        find_sub_goals(recording, stays, &self.chosen(request), radius)
+    }
+
+    /// The `request` with what it leaves to the engine.
+    fn chosen(&self, request: &SubsetRequest) -> SubsetRequest {
+        let (recording, stays) = self.recording();
         let chosen =
             || self.left_to_the_engine.get_or_init(|| parameters_left_to_the_engine(recording, stays));
         let mut request = request.clone();
@@ -213,7 +254,7 @@ impl SubsetStudy {
         if request.min_points == Setting::Auto {
             request.min_points = Setting::Fixed(chosen().min_points);
         }
-        find_sub_goals(recording, stays, &request, radius)
+        request
     }
 
     /// Whether the last look was at the same: another one would show nothing new.
@@ -222,27 +263,37 @@ impl SubsetStudy {
         is_same && self.demonstrations == demonstrations
     }
 
-    /// The whole tracks in `demonstrations`, and of those that were known the positions of the wild detections. Leaves no track behind.
+    /// The tracks in `demonstrations` with what is known of them. Leaves no track behind.
     fn take_tracks(
         &mut self,
         features: &[String],
         demonstrations: &[DemonstrationKey],
         track: impl Fn(usize) -> Track + Sync + Send,
-    ) -> (Vec<Track>, Vec<Option<Vec<usize>>>) {
+    ) -> Vec<TrackStudy> {
         let mut known = BTreeMap::new();
         if self.recording.features == features {
-            let tracks = std::mem::take(&mut self.recording.tracks).into_iter();
-            let with_wild = tracks.zip(std::mem::take(&mut self.wild));
-            known.extend(std::mem::take(&mut self.demonstrations).into_iter().zip(with_wild));
+            let keys = std::mem::take(&mut self.demonstrations).into_iter();
+            known.extend(keys.zip(self.take_studies()));
         }
-        let taken: Vec<Option<(Track, Wild)>> = demonstrations.iter().map(|key| known.remove(key)).collect();
+        let taken: Vec<Option<TrackStudy>> = demonstrations.iter().map(|key| known.remove(key)).collect();
         let new: Vec<usize> = (0..taken.len()).filter(|&index| taken[index].is_none()).collect();
-        let mut new_tracks = parallel::map(new.len(), |number| track(new[number])).into_iter();
-        let whole = |known: Option<(Track, Wild)>| match known {
-            Some((tame, wild)) => Some((joined(tame, &wild), Some(wild.positions))),
-            None => Some((new_tracks.next()?, None)),
+        let mut new_tracks =
+            parallel::map(new.len(), |number| TrackStudy::new(track(new[number]))).into_iter();
+        taken.into_iter().filter_map(|known| known.or_else(|| new_tracks.next())).collect()
+    }
+
+    fn take_studies(&mut self) -> Vec<TrackStudy> {
+        let tracks = std::mem::take(&mut self.recording.tracks).into_iter();
+        let with_notes = tracks.zip(std::mem::take(&mut self.notes));
+        let Some(SubsetStays { scales, min_dwell, demonstrations, .. }) = self.first_look.take() else {
+            let study = |(was_at, (track, notes))| TrackStudy::known(was_at, track, notes, None);
+            return with_notes.enumerate().map(study).collect();
         };
-        taken.into_iter().filter_map(whole).unzip()
+        let with_stays = with_notes.zip(demonstrations);
+        let study = |(was_at, ((track, notes), stays))| {
+            TrackStudy::known(was_at, track, notes, Some((scales, min_dwell, stays)))
+        };
+        with_stays.enumerate().map(study).collect()
     }
 }
 
@@ -268,9 +319,4 @@ pub fn tell(subsets: &mut [SubsetStudy]) {
         subset.recording = recording;
         subset.set_stays(Some(stays));
     }
-}
-
-/// Every track without its wild detections, and those alone.
-fn split_all(tracks: Vec<Track>, wild: &[Vec<usize>]) -> (Vec<Track>, Vec<Wild>) {
-    tracks.into_iter().zip(wild).map(|(track, positions)| split(track, positions)).unzip()
 }

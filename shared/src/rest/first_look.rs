@@ -14,12 +14,19 @@ pub fn first_look(recording: &SubsetRecording) -> SubsetStays {
     let scales = recording.scales;
     let min_dwell = min_dwell(&recording.tracks, scales);
     let tracks = &recording.tracks;
-    let demonstrations =
-        parallel::map(tracks.len(), |index| stays_of_track(&tracks[index], scales, min_dwell));
-    SubsetStays { scales, min_dwell, shortest_left: 0.0, axis: None, demonstrations }
+    let stays = parallel::map(tracks.len(), |index| stays_of_track(&tracks[index], scales, min_dwell));
+    SubsetStays::first(scales, min_dwell, stays)
 }
 
-fn stays_of_track(track: &Track, scales: Scales, min_dwell: usize) -> Vec<Stay> {
+impl SubsetStays {
+    /// The stays of a first look at each track.
+    pub(crate) fn first(scales: Scales, min_dwell: usize, demonstrations: Vec<Vec<Stay>>) -> Self {
+        Self { scales, min_dwell, shortest_left: 0.0, axis: None, demonstrations }
+    }
+}
+
+/// The stays of a [`first_look`] at one track.
+pub(crate) fn stays_of_track(track: &Track, scales: Scales, min_dwell: usize) -> Vec<Stay> {
     let start = start_point(track);
     let mut stays: Vec<Stay> = Vec::new();
     for dwell in dwells(track, scales, min_dwell) {

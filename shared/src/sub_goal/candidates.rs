@@ -1,26 +1,33 @@
 //! The partial states that are clustered, and the clusters that they form.
 
+use super::clustering::Clustering;
 use super::{Cluster, RadiusRule, radius};
-use crate::dbscan::{DbscanParameters, dbscan};
+use crate::dbscan::DbscanParameters;
 use crate::points::{Points, distance, mean};
 use crate::rest::{Kind, SubsetRecording, SubsetStays};
 use crate::specification::Ball;
 
 /// The partial states that are clustered, stretch by stretch.
 pub(super) struct Candidates {
-    points: Points,
-    stretches: Vec<Stretch>,
+    pub(super) points: Points,
+    pub(super) stretches: Vec<Stretch>,
+    /// How many demonstrations they are from.
+    pub(super) demonstrations: usize,
+    /// How far from the center of its stay a partial state is at most, where stays are looked at.
+    pub(super) reach: f64,
     /// How much room a ball leaves around the center of each of its stays.
     stillness: Option<f64>,
 }
 
 /// Partial states of one demonstration in a row.
-struct Stretch {
-    demonstration: usize,
+pub(super) struct Stretch {
+    pub(super) demonstration: usize,
+    /// Which stay of the demonstration it is; zero where every frame is looked at.
+    pub(super) stay: usize,
     /// Center of the stay that it is, where stays are looked at.
     center: Vec<f64>,
     /// Position of the first partial state of the next stretch.
-    end: usize,
+    pub(super) end: usize,
 }
 
 impl Candidates {
@@ -28,7 +35,7 @@ impl Candidates {
     pub(super) fn every_frame(recording: &SubsetRecording) -> Self {
         let mut candidates = Self::none(recording, None);
         for (demonstration, track) in recording.tracks.iter().enumerate() {
-            candidates.add(demonstration, Vec::new(), track.points.iter());
+            candidates.add((demonstration, 0), Vec::new(), track.points.iter());
         }
         candidates
     }
@@ -41,12 +48,14 @@ impl Candidates {
     ) -> Self {
         let mut candidates = Self::none(recording, Some(stays.scales.stillness));
         let reach = stays.scales.heap_radius(recording.features.len());
+        candidates.reach = reach;
         for (demonstration, track) in recording.tracks.iter().enumerate() {
-            for stay in stays.demonstrations[demonstration].iter().filter(|stay| is_wanted(stay.kind)) {
+            let stays = stays.demonstrations[demonstration].iter().enumerate();
+            for (index, stay) in stays.filter(|(_, stay)| is_wanted(stay.kind)) {
                 let center = &stay.dwell.center;
                 let points = stay.dwell.span.clone().map(|index| track.points.point(index));
                 candidates.add(
-                    demonstration,
+                    (demonstration, index),
                     center.clone(),
                     points.filter(|point| distance(point, center) <= reach),
                 );
@@ -61,26 +70,34 @@ impl Candidates {
     }
 
     fn none(recording: &SubsetRecording, stillness: Option<f64>) -> Self {
-        Self { points: Points::new(recording.features.len()), stretches: Vec::new(), stillness }
+        let (points, demonstrations) = (Points::new(recording.features.len()), recording.tracks.len());
+        Self { points, stretches: Vec::new(), demonstrations, reach: f64::INFINITY, stillness }
     }
 
-    fn add<'a>(&mut self, demonstration: usize, center: Vec<f64>, points: impl Iterator<Item = &'a [f64]>) {
+    fn add<'a>(
+        &mut self,
+        (demonstration, stay): (usize, usize),
+        center: Vec<f64>,
+        points: impl Iterator<Item = &'a [f64]>,
+    ) {
         points.for_each(|point| self.points.push(point));
-        self.stretches.push(Stretch { demonstration, center, end: self.points.len() });
+        self.stretches.push(Stretch { demonstration, stay, center, end: self.points.len() });
     }
 
-    /// Their clusters, in the order of the first point of each.
+    /// Their clusters, in the order of the first point of each. What is `known` of them is used, and then it is of these.
     ///
     /// # Complexity
     ///
-    /// That of [`dbscan`], and O(k²) for k clusters.
+    /// That of [`dbscan`](crate::dbscan::dbscan), or less where a few points have come since, and O(n + k²) for k clusters
+    /// of n points.
     pub(super) fn clusters(
         &self,
         recording: &SubsetRecording,
         density: DbscanParameters,
         rule: RadiusRule,
+        known: &mut Option<Clustering>,
     ) -> Vec<Cluster> {
-        let members = self.members(density);
+        let members = self.members(density, known);
         let center = |members: &Vec<u32>| {
             mean(self.points.dimension(), members.iter().map(|&member| self.points.point(member as usize)))
         };
@@ -104,8 +121,9 @@ impl Candidates {
     }
 
     /// The positions of each cluster's points, ascending.
-    fn members(&self, density: DbscanParameters) -> Vec<Vec<u32>> {
-        let labels = dbscan(&self.points, density);
+    fn members(&self, density: DbscanParameters, known: &mut Option<Clustering>) -> Vec<Vec<u32>> {
+        let labels = Clustering::labels(known.as_ref(), self, density);
+        *known = Some(Clustering::of(self, density, &labels));
         let mut members = vec![Vec::new(); labels.clusters()];
         for (index, label) in labels.iter().enumerate() {
             if let Some(label) = label {

@@ -1,5 +1,6 @@
 //! Which clusters are no sub-goals, and why.
 
+use super::clustering::{Clustering, Clusterings};
 use super::{Candidates, Cluster, Eliminated, RadiusRule};
 use crate::dbscan::DbscanParameters;
 use crate::points::{Track, median};
@@ -86,15 +87,16 @@ pub(super) fn starts_and_pauses(
     rule: RadiusRule,
     found: &[Cluster],
     eliminated: &[Eliminated],
+    known: &mut Clusterings,
 ) -> Vec<Eliminated> {
     let total = recording.tracks.len();
     let is_new = |cluster: &Cluster| {
         let mut known = found.iter().chain(eliminated.iter().map(|eliminated| &eliminated.cluster));
         !known.any(|known| known.ball.contains(&cluster.ball.center))
     };
-    let shown = |kind: Kind, needed: usize, what: &str| -> Vec<Eliminated> {
+    let shown = |kind: Kind, needed: usize, what: &str, known: &mut Option<Clustering>| -> Vec<Eliminated> {
         let candidates = Candidates::of_stays(recording, stays, |it| it == kind);
-        let clusters = candidates.clusters(recording, density, rule).into_iter();
+        let clusters = candidates.clusters(recording, density, rule, known).into_iter();
         let clusters = clusters.filter(|cluster| cluster.demonstrations >= needed && is_new(cluster));
         let with_reason = clusters.map(|cluster| {
             let reason = format!("{} of {total} demonstrations {what}", cluster.demonstrations);
@@ -102,8 +104,9 @@ pub(super) fn starts_and_pauses(
         });
         with_reason.collect()
     };
-    let mut all = shown(Kind::Start, 2, "start here");
-    all.extend(shown(Kind::Pause, 2.max(total.div_ceil(2)), "hold it here on the way"));
+    let mut all = shown(Kind::Start, 2, "start here", &mut known.starts);
+    let most = 2.max(total.div_ceil(2));
+    all.extend(shown(Kind::Pause, most, "hold it here on the way", &mut known.pauses));
     all
 }
 
