@@ -5,7 +5,7 @@ use goalgraph::points::Points;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::clouds::Cloud;
-use crate::recordings::{File, one_file, read};
+use crate::recordings::{File, one_file, read_digested};
 
 /// A cloud of points in 3-D, ready to be clustered.
 #[wasm_bindgen]
@@ -45,6 +45,6 @@ impl Reading {
 
     /// Reads it and gives the number of demonstrations.
     pub fn run(&self) -> usize {
-        read(&self.file).map_or(0, |demonstrations| demonstrations.len())
+        read_digested(&self.file).map_or(0, |demonstrations| demonstrations.len())
     }
 }
