@@ -188,13 +188,18 @@ impl Name<'_> {
     }
 }
 
-/// Moves names apart, from the lowest upwards.
+/// Moves names apart: from the lowest upwards, and down again those that would end above the plot.
 fn spread(names: &mut [Name]) {
     names.sort_by(|a, b| b.y.total_cmp(&a.y));
     let mut free = TOP + HEIGHT + LINE;
-    for name in names {
+    for name in names.iter_mut() {
         name.y = name.y.min(free - LINE);
         free = name.y;
+    }
+    let mut taken = TOP - LINE;
+    for name in names.iter_mut().rev() {
+        name.y = name.y.max(taken + LINE);
+        taken = name.y;
     }
 }
 
@@ -224,12 +229,20 @@ mod tests {
         assert_eq!([0, 1, 2].map(|index| class(&curves, index)), ["c0", "c1", "c1 peers"]);
     }
 
+    #[track_caller]
+    fn check_spread(heights: [f64; 4], expected: [f64; 4]) {
+        let mut names = heights.map(|y| Name { text: "", class: String::new(), from: (0.0, y), y });
+        spread(&mut names);
+        assert_eq!(names.map(|name| name.y), expected);
+    }
+
     #[test]
     fn names_do_not_overlap() {
-        let name = |y| Name { text: "", class: String::new(), from: (0.0, y), y };
-        let mut names = [100.0, 101.0, 300.0, 102.0].map(name);
-        spread(&mut names);
-        let heights: Vec<f64> = names.iter().map(|name| name.y).collect();
-        assert_eq!(heights, [300.0, 102.0, 85.0, 68.0]);
+        check_spread([100.0, 101.0, 300.0, 102.0], [300.0, 102.0, 85.0, 68.0]);
+    }
+
+    #[test]
+    fn names_stay_beside_the_plot() {
+        check_spread([TOP, TOP + 1.0, TOP + 2.0, 300.0], [300.0, 74.0, 57.0, 40.0]);
     }
 }
