@@ -1,13 +1,5 @@
-import AxeBuilder from "@axe-core/playwright";
-import { type Page, expect, test } from "@playwright/test";
-import { openApp } from "./page";
-
-/** Serious and critical findings on the page as it is, as sentences. */
-async function findings(page: Page): Promise<string[]> {
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  const serious = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
-  return serious.flatMap(({ id, help, nodes }) => nodes.map((node) => `${id}: ${help}: ${node.target.join(" ")}`));
-}
+import { expect, test } from "@playwright/test";
+import { findings, openApp } from "./page";
 
 for (const colorScheme of ["light", "dark"] as const) {
   test(`axe finds nothing serious on any tab, ${colorScheme}`, async ({ page }) => {

@@ -1,4 +1,5 @@
 import { readFile } from "node:fs/promises";
+import AxeBuilder from "@axe-core/playwright";
 import { expect, type Page } from "@playwright/test";
 import type { Recording } from "./recordings";
 
@@ -62,4 +63,16 @@ export async function cancelOnceBusy(page: Page): Promise<void> {
     });
     watching.observe(document.body, { subtree: true, childList: true, characterData: true });
   });
+}
+
+/** Waits until the browser has kept what was done last, a quarter of a second later. */
+export async function kept(page: Page): Promise<void> {
+  await page.waitForTimeout(1000);
+}
+
+/** Serious and critical findings on the page as it is, as sentences. */
+export async function findings(page: Page): Promise<string[]> {
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  const serious = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
+  return serious.flatMap(({ id, help, nodes }) => nodes.map((node) => `${id}: ${help}: ${node.target.join(" ")}`));
 }

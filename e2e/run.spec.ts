@@ -1,9 +1,8 @@
 import { mkdtempSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import AxeBuilder from "@axe-core/playwright";
 import { type Locator, type Page, expect, test } from "@playwright/test";
-import { drop, exported, openApp } from "./page";
+import { drop, exported, findings, openApp } from "./page";
 import { recording } from "./recordings";
 import { type Approved, Robot, Server, approve, approveLast, approveNext, reportRun, serverPort } from "./robots";
 
@@ -299,10 +298,7 @@ for (const colorScheme of ["light", "dark"] as const) {
     await expect(page.locator("[data-replanned]")).toBeVisible();
     for (const moment of ["after a new plan", "at the end"]) {
       if (moment === "at the end") await expect(live(page)).toHaveAttribute("data-live-state", "finished");
-      const { violations } = await new AxeBuilder({ page }).analyze();
-      const serious = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
-      const found = serious.flatMap(({ id, help, nodes }) => nodes.map(({ target }) => `${id}: ${help}: ${target}`));
-      expect.soft(found, moment).toEqual([]);
+      expect.soft(await findings(page), moment).toEqual([]);
     }
   });
 }

@@ -1,10 +1,5 @@
-import { readFile } from "node:fs/promises";
-import { createServer } from "node:http";
-import type { AddressInfo } from "node:net";
-import { extname, join, resolve } from "node:path";
-import AxeBuilder from "@axe-core/playwright";
 import { type Browser, type Locator, type Page, expect, test } from "@playwright/test";
-import { drop, openApp } from "./page";
+import { drop, findings, kept, openApp } from "./page";
 import { threeRecordings } from "./recordings";
 
 /** The revision that the work is, in the bar. */
@@ -36,11 +31,6 @@ async function rename(page: Page, name: string): Promise<void> {
 async function save(page: Page, revision: number): Promise<void> {
   await page.keyboard.press("Control+s");
   await expect(status(page)).toHaveText(`Saved as revision ${revision}.`);
-}
-
-/** Waits until the browser has kept what was done last, a quarter of a second later. */
-async function kept(page: Page): Promise<void> {
-  await page.waitForTimeout(1000);
 }
 
 /** Opens a specification of the server by its name. */
@@ -331,56 +321,6 @@ function work(page: Page): Promise<string> {
         };
       }),
   );
-}
-
-const TYPES: Record<string, string> = {
-  ".css": "text/css",
-  ".html": "text/html",
-  ".js": "text/javascript",
-  ".json": "application/json",
-  ".svg": "image/svg+xml",
-  ".wasm": "application/wasm",
-};
-
-test("where only files are handed out, everything but the server works, without an error", async ({ page }) => {
-  const dist = resolve(import.meta.dirname, "../dist");
-  const server = createServer(async (request, response) => {
-    const path = new URL(request.url ?? "/", "http://localhost").pathname;
-    try {
-      const content = await readFile(join(dist, path === "/" ? "index.html" : path));
-      response.writeHead(200, { "content-type": TYPES[extname(path) || ".html"] ?? "application/octet-stream" }).end(content);
-    } catch {
-      response.writeHead(404).end();
-    }
-  });
-  await new Promise<void>((listening) => server.listen(0, "127.0.0.1", listening));
-  page.on("pageerror", (error) => expect.soft(error.message, "an error in the page").toBe(""));
-  page.on("console", (message) => {
-    if (message.type() === "error") expect.soft(message.text(), "an error on the console").toBe("");
-  });
-  try {
-    const { port } = server.address() as AddressInfo;
-    await page.goto(`http://127.0.0.1:${port}/`);
-    await expect(page.getByRole("tab", { name: "Demonstrations" })).toBeVisible();
-    await drop(page, threeRecordings());
-    await expect(page.locator("[data-state]")).toHaveCount(4);
-    await expect(page.locator(".standing")).toHaveText("In this browser");
-    const [saved] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
-    expect(saved.suggestedFilename()).toMatch(/\.goalgraph\.json$/);
-    await kept(page);
-    await page.reload();
-    await expect(page.locator("[data-state]")).toHaveCount(4);
-  } finally {
-    server.closeAllConnections();
-    await new Promise((closed) => server.close(closed));
-  }
-});
-
-/** Serious and critical findings on the page as it is, as sentences. */
-async function findings(page: Page): Promise<string[]> {
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  const serious = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
-  return serious.flatMap(({ id, help, nodes }) => nodes.map((node) => `${id}: ${help}: ${node.target.join(" ")}`));
 }
 
 for (const colorScheme of ["light", "dark"] as const) {
