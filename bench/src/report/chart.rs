@@ -230,19 +230,19 @@ mod tests {
     }
 
     #[track_caller]
-    fn check_spread(heights: [f64; 4], expected: [f64; 4]) {
+    fn check_spread(heights: [f64; 4], expected: [&str; 4]) {
         let mut names = heights.map(|y| Name { text: "", class: String::new(), from: (0.0, y), y });
         spread(&mut names);
-        assert_eq!(names.map(|name| name.y), expected);
+        assert_eq!(names.map(|name| name.y.to_string()), expected);
     }
 
     #[test]
     fn names_do_not_overlap() {
-        check_spread([100.0, 101.0, 300.0, 102.0], [300.0, 102.0, 85.0, 68.0]);
+        check_spread([100.0, 101.0, 300.0, 102.0], ["300", "102", "85", "68"]);
     }
 
     #[test]
     fn names_stay_beside_the_plot() {
-        check_spread([TOP, TOP + 1.0, TOP + 2.0, 300.0], [300.0, 74.0, 57.0, 40.0]);
+        check_spread([TOP, TOP + 1.0, TOP + 2.0, 300.0], ["300", "74", "57", "40"]);
     }
 }
