@@ -14,6 +14,7 @@ mod growth;
 mod join;
 mod labels;
 mod rows;
+mod strays;
 mod tree;
 
 use crate::points::Points;
@@ -82,7 +83,7 @@ fn cluster(space: impl Space, points: &Points, parameters: DbscanParameters) -> 
     let core = core_points::core_points(&cells);
     let components = join::join(&cells, &core);
     let border = border::border_points(&cells, &core);
-    labels::labels(&cells.into_order(), &core, &components, &border)
+    labels::labels(points.len(), &cells.into_order(), &core, &components, &border)
 }
 
 #[cfg(test)]

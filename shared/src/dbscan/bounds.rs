@@ -12,16 +12,19 @@ pub(super) struct Bounds<'a> {
 }
 
 /// Lowest, then highest coordinates of at least one row.
+#[inline]
 pub(super) fn around<'a>(dimension: usize, mut rows: impl Iterator<Item = &'a [f64]>, bounds: &mut Vec<f64>) {
     let start = bounds.len();
     let first = rows.next().unwrap_or_default();
     bounds.extend_from_slice(first);
     bounds.extend_from_slice(first);
     let (low, high) = bounds[start..].split_at_mut(dimension);
+    let high = &mut high[..dimension];
     for row in rows {
-        for ((low, high), &x) in low.iter_mut().zip(high.iter_mut()).zip(row) {
-            *low = smaller(*low, x);
-            *high = larger(*high, x);
+        let row = &row[..dimension];
+        for axis in 0..dimension {
+            low[axis] = smaller(low[axis], row[axis]);
+            high[axis] = larger(high[axis], row[axis]);
         }
     }
 }

@@ -52,8 +52,9 @@ impl<S: Space> Cells<S> {
     pub(super) fn new(space: S, coordinates: &[f64], parameters: DbscanParameters) -> Self {
         let squared_epsilon = parameters.epsilon * parameters.epsilon;
         let grid = Grid::new(space, coordinates, parameters.epsilon).and_then(|grid| {
-            let (rows, starts, keys) = grid.sort(space, coordinates);
-            are_tight(&rows, &starts, squared_epsilon).then_some((rows, starts, Index::Grid { grid, keys }))
+            let (rows, starts, keys) = grid.sort(space, coordinates, parameters.min_points);
+            let is_tight = grid.is_tight() || are_tight(&rows, &starts, squared_epsilon);
+            is_tight.then_some((rows, starts, Index::Grid { grid, keys }))
         });
         let (rows, starts, index) = grid.unwrap_or_else(|| in_tree(space, coordinates, squared_epsilon));
         let roots = vec![NO_TREE; starts.len() - 1];

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::rows::{Rows, Space};
+use super::strays::without_strays;
 
 /// Beyond this there are more rows of cells around a cell than a tree has nodes on the way.
 const MOST_DIMENSIONS: usize = 4;
@@ -13,6 +14,11 @@ const SHRINK: f64 = 1.0 - 1e-9;
 /// How much rounding can add to a distance, in cells, with as many cells on an axis as there may be.
 const ROUNDING: f64 = 1e-4;
 const MOST_CELLS_OF_AXIS: f64 = (1_u64 << 32) as f64;
+
+/// With so many cells on an axis rounding adds less than half of what [`SHRINK`] takes away, if squares of epsilon are not
+/// among the numbers that have fewer digits.
+const FEW_CELLS_OF_AXIS: f64 = (1_u64 << 20) as f64;
+const LEAST_SQUARED_EPSILON: f64 = 1e-290;
 
 /// How a grid lies over the points, and how its cells are numbered.
 ///
@@ -25,15 +31,24 @@ pub(super) struct Grid {
     shifts: Vec<u32>,
     /// How many cells away on an axis a point within epsilon can be.
     reach: u64,
+    /// Whether points of one cell are within epsilon whatever is rounded.
+    is_tight: bool,
     /// Differences between the key of a cell and those in the middle of the rows of cells around it, the nearest first.
     differences: Vec<i64>,
 }
 
 /// Some points of the input in one cell, one after the other.
-struct Run {
-    key: u64,
+pub(super) struct Run {
+    pub(super) key: u64,
     start: u32,
     end: u32,
+}
+
+impl Run {
+    /// How many points there are.
+    pub(super) fn len(&self) -> usize {
+        (self.end - self.start) as usize
+    }
 }
 
 impl Grid {
@@ -52,18 +67,25 @@ impl Grid {
         let (low, high) = bounds.split_at(dimension);
         let mut shifts = vec![0; dimension];
         let mut bits = 0;
+        let mut is_tight = epsilon * epsilon >= LEAST_SQUARED_EPSILON;
         for axis in (0..dimension).rev() {
             let cells = (high[axis] - low[axis]) * fineness;
             // Not the other way round: what cannot be calculated is refused.
             if !(cells < MOST_CELLS_OF_AXIS && fineness.is_finite()) {
                 return None;
             }
+            is_tight &= cells <= FEW_CELLS_OF_AXIS;
             shifts[axis] = bits;
             bits += (cells as u64 + 1 + 2 * reach as u64).ilog2() + 1;
         }
         let differences = differences(&shifts, reach as i64, diagonal + ROUNDING);
         let origin = low.to_vec();
-        (bits < 63).then_some(Self { origin, fineness, shifts, reach: reach as u64, differences })
+        (bits < 63).then_some(Self { origin, fineness, shifts, reach: reach as u64, is_tight, differences })
+    }
+
+    /// Whether points of one cell are within epsilon of each other whatever is rounded; elsewhere one has to look.
+    pub(super) fn is_tight(&self) -> bool {
+        self.is_tight
     }
 
     fn key(&self, point: &[f64]) -> u64 {
@@ -73,17 +95,24 @@ impl Grid {
         parts.sum()
     }
 
-    /// Sorts the points into cells: the rows cell by cell, where each cell starts and the end, and the key of each.
+    /// Sorts the points but for strays into cells: the rows cell by cell, where each cell starts and the end, and the key
+    /// of each.
     ///
     /// What rests stays in its cell for many frames, so runs of points are sorted, not points.
     ///
     /// # Complexity
     ///
     /// O(n + r log r) for n points in r runs.
-    pub(super) fn sort<S: Space>(&self, space: S, coordinates: &[f64]) -> (Rows<S>, Vec<u32>, Vec<u64>) {
+    pub(super) fn sort<S: Space>(
+        &self,
+        space: S,
+        coordinates: &[f64],
+        min_points: usize,
+    ) -> (Rows<S>, Vec<u32>, Vec<u64>) {
         let mut runs = self.runs(space, coordinates);
         runs.sort_unstable_by_key(|run| (run.key, run.start));
-        let mut rows = Rows::with_capacity(space, coordinates.len() / space.dimension());
+        let runs = without_strays(self, runs, min_points);
+        let mut rows = Rows::with_capacity(space, runs.iter().map(Run::len).sum());
         let (mut starts, mut keys) = (Vec::new(), Vec::new());
         for run in runs {
             if keys.last() != Some(&run.key) {

@@ -57,9 +57,16 @@ impl Labels {
     }
 }
 
-/// Core points have their cell's cluster, border points that of the cell named for them in `border`.
-pub(super) fn labels(order: &Order, core: &[bool], components: &Components, border: &[(u32, u32)]) -> Labels {
-    let mut numbers = vec![NOISE; order.inputs.len()];
+/// The labels of `count` points: core points have their cell's cluster, border points that of the cell named for them in
+/// `border`.
+pub(super) fn labels(
+    count: usize,
+    order: &Order,
+    core: &[bool],
+    components: &Components,
+    border: &[(u32, u32)],
+) -> Labels {
+    let mut numbers = vec![NOISE; count];
     for (cell, ends) in order.starts.windows(2).enumerate() {
         let members = ends[0] as usize..ends[1] as usize;
         if core[members.clone()].contains(&true) {
