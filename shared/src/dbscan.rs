@@ -26,7 +26,8 @@ use rows::{Fixed, Space, Wide};
 /// What counts as dense.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DbscanParameters {
-    /// Radius of a point's neighborhood, above zero, in the unit of the points; its rim counts as inside.
+    /// Radius of a point's neighborhood, above zero, in the unit of the points; its rim counts as inside. Below 1e-150 and
+    /// above 1e150 its square is no number of all digits, and points near each other may be told apart.
     pub epsilon: f64,
     /// How many points, itself included, the neighborhood of a core point has; at least one.
     pub min_points: usize,
@@ -53,7 +54,7 @@ pub struct DbscanParameters {
 ///
 /// # Panics
 ///
-/// When there are 2³² points or more, which take 32 GB for each of their coordinates.
+/// When there are 2³² - 1 points or more, which take 32 GB for each of their coordinates.
 ///
 /// # Example
 ///

@@ -38,7 +38,7 @@ pub struct Demonstration {
 }
 
 /// What can be squared and summed without overflow.
-const LARGEST_VALUE: f64 = 1e100;
+pub(crate) const LARGEST_VALUE: f64 = 1e100;
 
 /// Why values do not make a demonstration.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]

@@ -47,7 +47,8 @@ fn kth_square(tree: &KdTree, query: &[f64], k: usize) -> f64 {
             let at = nearest.partition_point(|&known| known <= square);
             nearest.insert(at, square);
             nearest.truncate(k);
-            if nearest.len() == k { nearest[k - 1] } else { f64::INFINITY }
+            // Once there are k, only what is nearer changes anything.
+            if nearest.len() == k { nearest[k - 1].next_down() } else { f64::INFINITY }
         },
     );
     nearest.last().copied().unwrap_or(f64::INFINITY)

@@ -133,10 +133,14 @@ impl KdTree {
                 waiting.extend([far, near]);
                 continue;
             }
+            let nearest = squared;
             for slot in node.slots.clone() {
                 let squared = squared_distance(point, self.point(slot));
                 if squared <= within {
                     within = offer(slot, squared);
+                }
+                if nearest > within {
+                    break;
                 }
             }
         }

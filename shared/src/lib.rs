@@ -12,40 +12,53 @@
 //! Simoens). Values go in, values come out: there are no files, sockets, clocks or threads here, so the same code
 //! runs natively and as WebAssembly, and the same input gives the same bytes in both.
 //!
-//! The modules stand in reading order; a module uses only those before it.
+//! The modules stand in groups in reading order; a module uses those of its own group and of groups before it.
 
-pub mod conformance;
-pub mod dbscan;
+// What everything is made of.
 pub mod demonstration;
-pub mod difference;
-pub mod distance;
-pub mod dwell;
-pub mod edit;
-pub mod evidence;
-pub mod execution;
-pub mod export;
-pub mod fix;
-pub mod history;
+mod kd_tree;
+mod parallel;
+pub mod pdfa;
+pub mod points;
+pub mod specification;
+pub mod versioned;
+
+// Recordings in.
 pub mod import;
+
+// From demonstrations to words and automaton.
+pub mod dbscan;
+pub mod dwell;
 pub mod infer;
 pub mod k_distance;
-mod kd_tree;
-pub mod language;
-pub mod layout;
-pub mod merge_candidates;
-pub mod outage;
-mod parallel;
 pub mod parameters;
-pub mod pdfa;
-pub mod plan;
-pub mod points;
-pub mod preview;
-pub mod protocol;
 pub mod rest;
-pub mod run;
-pub mod sampling;
-pub mod specification;
 pub mod sub_goal;
 pub mod subset;
-pub mod versioned;
 pub mod word;
+
+// What an automaton says.
+pub mod conformance;
+pub mod difference;
+pub mod distance;
+pub mod evidence;
+pub mod language;
+pub mod merge_candidates;
+pub mod outage;
+pub mod sampling;
+
+// Changing it.
+pub mod edit;
+pub mod fix;
+pub mod history;
+pub mod preview;
+
+// Drawing and handing it out.
+pub mod export;
+pub mod layout;
+
+// Following it.
+pub mod execution;
+pub mod plan;
+pub mod protocol;
+pub mod run;

@@ -138,6 +138,7 @@ fn a_cell_that_is_no_finite_number_is_refused() {
     check_error("x,y\n1,abc\n", &format!("line 2: y: \"abc\" is no number; {expected}"));
     check_error("x,y\n1,2\n1e999,2\n", "line 3: x: \"1e999\" is not finite; expected a finite number");
     check_error("x,y\n1,-inf\n", "line 2: y: \"-inf\" is not finite; expected a finite number");
+    check_error("x,y\n1,2\n1,-1e150\n", "line 3: y: \"-1e150\" is beyond 1e100; expected a smaller number");
     let long = "ü".repeat(1000);
     check_error(
         &format!("x\n{long}\n"),

@@ -1,4 +1,4 @@
-//! A message between workers: what it says, and beside it numbers or a file. Numbers change hands without a copy.
+//! A message between workers: what it says, and beside it numbers or a file. Numbers are not encoded.
 
 use js_sys::{Array, Float64Array, Uint8Array};
 use serde::Serialize;

@@ -1,5 +1,7 @@
 //! Clusters that points are added to.
 
+use std::cell::Cell;
+
 use super::bounds::{Bounds, around};
 use super::{DbscanParameters, Labels, dbscan};
 use crate::points::{Points, squared_distance};
@@ -15,7 +17,7 @@ pub(crate) enum Before {
     Cluster(usize),
 }
 
-/// From more comparisons with boxes and noise for each point on, clustering all anew takes no longer.
+/// With more comparisons than this for each point, clustering all anew takes no longer.
 const FEW: usize = 16;
 
 /// How often it is tried to reach new points by others that have been reached: they mostly follow each other.
@@ -29,8 +31,8 @@ const ROOM: f64 = 1.0 + 1e-9;
 ///
 /// # Complexity
 ///
-/// O(n) with a small constant, and for each new point a search of its cluster for core points near it, where new points
-/// join clusters that stand alone or are far from everything; that of [`dbscan`] otherwise.
+/// O(n) with a small constant where few new points join clusters that stand alone or are far from everything; that of
+/// [`dbscan`] otherwise.
 pub(crate) fn dbscan_of_more(points: &Points, parameters: DbscanParameters, before: &[Before]) -> Labels {
     grown(points, parameters, before).unwrap_or_else(|| dbscan(points, parameters))
 }
@@ -55,7 +57,7 @@ fn grown(points: &Points, parameters: DbscanParameters, before: &[Before]) -> Op
         }
     }
     let is_near_joining = |&stray: &usize| joining.iter().any(|&(point, _)| known.are_near(point, stray));
-    if strays.iter().any(is_near_joining) {
+    if strays.iter().any(|stray| known.takes_too_long() || is_near_joining(stray)) {
         return None;
     }
     for &(point, cluster) in &joining {
@@ -100,6 +102,8 @@ struct Known<'a> {
     /// The box around each cluster as it was.
     boxes: Vec<Vec<f64>>,
     noise: Vec<usize>,
+    /// How many more comparisons are worth their while.
+    left: Cell<usize>,
 }
 
 impl<'a> Known<'a> {
@@ -122,7 +126,8 @@ impl<'a> Known<'a> {
         };
         let boxes = clusters.iter().map(boxed).collect();
         let squared_epsilon = parameters.epsilon * parameters.epsilon;
-        Self { points, min_points: parameters.min_points, squared_epsilon, clusters, boxes, noise }
+        let left = Cell::new(FEW * before.len());
+        Self { points, min_points: parameters.min_points, squared_epsilon, clusters, boxes, noise, left }
     }
 
     fn squared(&self, a: usize, b: usize) -> f64 {
@@ -130,7 +135,13 @@ impl<'a> Known<'a> {
     }
 
     fn are_near(&self, a: usize, b: usize) -> bool {
+        self.left.set(self.left.get().saturating_sub(1));
         self.squared(a, b) <= self.squared_epsilon
+    }
+
+    /// Whether clustering all anew is the shorter way by now.
+    fn takes_too_long(&self) -> bool {
+        self.left.get() == 0
     }
 
     /// What a new point may have to do with.
@@ -185,7 +196,8 @@ impl Settled {
             self.is_settled[other] && known.are_near(point, other) && known.is_core(other, cluster)
         };
         if !self.core[cluster].iter().any(|&core| known.are_near(point, core)) {
-            let Some(&witness) = known.clusters[cluster].iter().find(is_witness) else {
+            let mut others = known.clusters[cluster].iter().take_while(|_| !known.takes_too_long());
+            let Some(&witness) = others.find(is_witness) else {
                 return false;
             };
             self.core[cluster].push(witness);
@@ -265,6 +277,14 @@ mod tests {
     #[test]
     fn points_far_from_everything_are_clustered_alone() {
         assert!(is_known(&[0.0, 0.5, 1.0, 0.6, 0.4, 0.3, 0.2, 0.1, 0.7, 20.0, 20.5, 21.0], 3));
+    }
+
+    #[test]
+    fn many_points_at_a_known_place_and_many_elsewhere_are_not_compared_with_each_other() {
+        let at = |place: f64, count: usize| (0..count).map(move |point| place + point as f64 / 1e4);
+        let points = |new: usize| at(0.0, 100).chain(at(0.0, new)).chain(at(9.0, new)).collect::<Vec<f64>>();
+        assert!(is_known(&points(20), 40));
+        assert!(!is_known(&points(2000), 4000));
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! From the text of a cell to its value.
 
 use super::decimal::leading_decimal;
+use crate::demonstration::LARGEST_VALUE;
 
 /// The character between whole number and fraction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,6 +17,8 @@ pub(super) enum Decimal {
 pub(super) enum CellError {
     /// A number beyond every finite one, or infinity itself.
     Infinite,
+    /// A number beyond [`LARGEST_VALUE`].
+    TooLarge,
     /// No number at all.
     Text,
 }
@@ -24,7 +27,7 @@ pub(super) enum CellError {
 ///
 /// # Errors
 ///
-/// When the number is not finite or there is something else.
+/// When the number is not finite or too large, or there is something else.
 pub(super) fn number(cell: &[u8], decimal: Decimal) -> Result<f64, CellError> {
     match leading_decimal(cell) {
         Some(decimal) if decimal.length == cell.len() => Ok(decimal.value),
@@ -37,6 +40,7 @@ fn unusual_number(text: &str, decimal: Decimal) -> Result<f64, CellError> {
     match text.parse::<f64>() {
         Ok(value) if value.is_infinite() => Err(CellError::Infinite),
         Ok(value) if value.is_nan() => Ok(f64::NAN),
+        Ok(value) if value.abs() > LARGEST_VALUE => Err(CellError::TooLarge),
         Ok(value) => Ok(value),
         Err(_) if is_undefined(text) => Ok(f64::NAN),
         Err(_) if decimal == Decimal::PointOrComma && text.contains(',') && !text.contains('.') => {
@@ -59,14 +63,14 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_finite_number_is_what_the_standard_library_makes_of_it(
+        fn a_number_is_what_the_standard_library_makes_of_it(
             text in "[+-]?[0-9]{0,20}(\\.[0-9]{0,20})?([eE][+-]?[0-9]{0,3})?",
             value: f64,
             decimals in 0_usize..20,
         ) {
             for text in [text, format!("{value:?}"), format!("{value:e}"), format!("{value:.decimals$e}")] {
-                let expected = text.parse::<f64>().ok().filter(|value| value.is_finite());
-                let found = number(text.as_bytes(), Decimal::Point).ok().filter(|value| value.is_finite());
+                let expected = text.parse::<f64>().ok().filter(|value| value.abs() <= LARGEST_VALUE);
+                let found = number(text.as_bytes(), Decimal::Point).ok().filter(|value| !value.is_nan());
                 prop_assert_eq!(found.map(f64::to_bits), expected.map(f64::to_bits), "{:?}", text);
             }
         }
@@ -80,9 +84,12 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_finite_is_told_from_what_is_no_number() {
+    fn what_is_not_finite_or_too_large_is_told_from_what_is_no_number() {
         for text in ["inf", "-Infinity", "1e999", "-1e400"] {
             assert_eq!(number(text.as_bytes(), Decimal::Point), Err(CellError::Infinite), "{text}");
+        }
+        for text in ["1e101", "-1.7e308"] {
+            assert_eq!(number(text.as_bytes(), Decimal::Point), Err(CellError::TooLarge), "{text}");
         }
         for text in ["abc", "0x10", "1_000", "1,5", "1 2", "--1"] {
             assert_eq!(number(text.as_bytes(), Decimal::Point), Err(CellError::Text), "{text}");

@@ -3,8 +3,11 @@
 use std::collections::BTreeSet;
 
 use super::{InferError, InferRequest};
-use crate::demonstration::{Demonstration, Feature};
+use crate::demonstration::{Demonstration, Feature, LARGEST_VALUE};
 use crate::subset::{Setting, SubsetRequest, propose_subsets};
+
+/// The square of a smaller epsilon would lose digits.
+const LEAST_EPSILON: f64 = 1e-100;
 
 /// The subsets that `request` asks for, or those that the features propose where it names none.
 ///
@@ -84,9 +87,9 @@ fn objection<'a>(subset: &'a SubsetRequest, names: &mut BTreeSet<&'a str>) -> Op
         ));
     }
     match (subset.epsilon, subset.min_points) {
-        (Setting::Fixed(epsilon), _) if !(epsilon > 0.0 && epsilon.is_finite()) => {
-            Some(format!("epsilon is {epsilon}, but must be a finite number above 0"))
-        }
+        (Setting::Fixed(epsilon), _) if !(LEAST_EPSILON..=LARGEST_VALUE).contains(&epsilon) => Some(format!(
+            "epsilon is {epsilon:?}, but must be a number from {LEAST_EPSILON:e} to {LARGEST_VALUE:e}"
+        )),
         (_, Setting::Fixed(0)) => Some("min_points is 0, but must be at least 1".to_owned()),
         _ => None,
     }

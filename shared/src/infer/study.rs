@@ -26,9 +26,9 @@ use crate::subset::SubsetRequest;
 /// | the method | every subset is looked at and clustered |
 ///
 /// Whatever changes, kinds of stays, parameters, balls, words and automaton are made of what is known of all
-/// demonstrations: that is in proportion to all, but cheap beside the rest. A cluster is searched again, with all of its
-/// kind in the subset, where a rest comes in between two or beside noise. Nothing is kept of a demonstration or subset
-/// that the last inference was not about.
+/// demonstrations: that is in proportion to all. A cluster is searched again, with all of its kind in the subset, where a
+/// rest comes in between two or beside noise. Nothing is kept of a demonstration or subset that the last inference was not
+/// about.
 #[derive(Clone, Debug, Default)]
 pub struct Study {
     keys: DemonstrationKeys,
@@ -131,8 +131,7 @@ impl Study {
         let (mut new, known): (Vec<_>, Vec<_>) = pairs.partition(is_new);
         let mut done = known.len();
         for (study, request) in known {
-            // Its name may be another one.
-            study.look(&request.name, &request.features, method, keys, |_| Track::default());
+            study.rename(&request.name);
         }
         for part in new.chunks_mut(parallel::AT_ONCE) {
             progress(&steps.at(stage("Looking at", part), done));

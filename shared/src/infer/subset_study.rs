@@ -92,7 +92,7 @@ impl SubsetStudy {
         demonstrations: &[DemonstrationKey],
         track: impl Fn(usize) -> Track + Sync + Send,
     ) -> usize {
-        name.clone_into(&mut self.recording.name);
+        self.rename(name);
         if self.is_of(features, method, demonstrations) {
             return 0;
         }
@@ -116,6 +116,11 @@ impl SubsetStudy {
         self.take_note(name, features, demonstrations, (unclean, clean), tracks, first_look);
         (self.method, self.clusterings) = (method, clusterings);
         were_at.iter().filter(|was_at| was_at.is_none()).count()
+    }
+
+    /// Gives the subset this name.
+    pub(super) fn rename(&mut self, name: &str) {
+        name.clone_into(&mut self.recording.name);
     }
 
     /// Comes to where another study is that has [seen](Self::seen) the same in the same tracks.

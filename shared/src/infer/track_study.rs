@@ -52,10 +52,14 @@ impl TrackStudy {
 
     /// The first stage: what the whole track tells of the scales.
     pub(super) fn tally_whole(&mut self) {
-        if self.notes.whole.is_none() {
-            let whole = joined(self.track.clone(), &self.notes.wild);
-            self.notes.whole = Some(Tally::of(&whole));
+        if self.notes.whole.is_some() {
+            return;
         }
+        self.notes.whole = Some(if self.notes.wild.positions.is_empty() {
+            Tally::of(&self.track)
+        } else {
+            Tally::of(&joined(self.track.clone(), &self.notes.wild))
+        });
     }
 
     /// The second stage: leaves out what is wild by these scales, and nothing without.

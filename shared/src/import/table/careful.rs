@@ -4,6 +4,7 @@ use csv::{ByteRecord, Reader, ReaderBuilder};
 
 use super::Frames;
 use super::layout::Layout;
+use crate::demonstration::LARGEST_VALUE;
 use crate::import::ImportError;
 use crate::import::cell::{self, CellError};
 use crate::import::column::Role;
@@ -108,6 +109,7 @@ fn cell_message(cell: &[u8], error: CellError) -> String {
     let text = quoted(&String::from_utf8_lossy(cell));
     match error {
         CellError::Infinite => format!("{text} is not finite; expected a finite number"),
+        CellError::TooLarge => format!("{text} is beyond {LARGEST_VALUE:e}; expected a smaller number"),
         CellError::Text if cell.contains(&b'\n') => {
             format!("{text} runs over several lines; a quotation mark may be missing")
         }

@@ -76,7 +76,7 @@ fn is_frame(table: &Layout<'_>, line: &ByteRecord) -> bool {
                 numbers += 1;
                 counts_from_zero &= index > 0 && value.to_bits() == (index as f64 - 1.0).to_bits();
             }
-            Err(CellError::Infinite) => numbers += 1,
+            Err(CellError::Infinite | CellError::TooLarge) => numbers += 1,
             Err(CellError::Text) => return false,
         }
     }

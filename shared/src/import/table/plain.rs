@@ -25,10 +25,10 @@ const SAMPLE: usize = 1 << 16;
 pub(super) fn read(frames: &mut Frames<'_>, range: Range<usize>) -> Result<usize, ImportError> {
     expect_rows(frames, range.clone());
     let bytes = &frames.table.text.as_bytes()[..range.end];
-    let line = Line::of(frames, &bytes[range.start..]);
-    let mut place = range.start;
+    let mut place = range.start + line_ends(&bytes[range.start..]);
+    let line = Line::of(frames, &bytes[place..]);
     loop {
-        place += bytes[place..].iter().take_while(|&&byte| is_line_end(byte)).count();
+        place += line_ends(&bytes[place..]);
         let row = frames.recorder.next_row();
         let Some(length) = line.fill(row, &bytes[place..]) else { return Ok(place) };
         frames.push_row(place)?;
@@ -163,6 +163,11 @@ impl<'a> Line<'a> {
         };
         is_ended.then_some(at)
     }
+}
+
+/// How many line ends `bytes` begins with.
+fn line_ends(bytes: &[u8]) -> usize {
+    bytes.iter().take_while(|&&byte| is_line_end(byte)).count()
 }
 
 fn is_line_end(byte: u8) -> bool {
