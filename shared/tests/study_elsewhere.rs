@@ -24,19 +24,15 @@ fn sent<T: Serialize + DeserializeOwned>(value: &T) -> T {
 struct Worker(SubsetStudy);
 
 impl Worker {
-    /// `tracks` are those of the demonstrations that it does not know, by their positions.
+    /// `tracks` are those of all demonstrations, of which it takes what it does not know.
     fn look(
         &mut self,
         subset: &SubsetRequest,
         method: Method,
         keys: &[DemonstrationKey],
-        tracks: &[(usize, Track)],
+        tracks: &[Track],
     ) -> Seen {
-        let track = |index: usize| {
-            let (_, track) = tracks.iter().find(|(position, _)| *position == index).unwrap();
-            track.clone()
-        };
-        self.0.look(&subset.name, &subset.features, method, keys, track);
+        self.0.look(&subset.name, &subset.features, method, keys, |index| tracks[index].clone());
         self.0.seen()
     }
 
@@ -67,8 +63,7 @@ impl Coordinator {
         self.workers.resize_with(subsets.len(), Worker::default);
         for ((subset, study), worker) in subsets.iter().zip(&mut self.subsets).zip(&mut self.workers) {
             let track = |index: usize| Track::of_features(&demonstrations[index], &subset.features);
-            let unknown = (0..keys.len()).filter(|&index| !study.knows(&subset.features, keys[index]));
-            let tracks: Vec<(usize, Track)> = unknown.map(|index| (index, track(index))).collect();
+            let tracks: Vec<Track> = (0..keys.len()).map(track).collect();
             let seen = worker.look(&sent(subset), request.method, &sent(&keys), &sent(&tracks));
             study.look_through(&subset.name, &subset.features, &keys, track, sent(&seen));
         }

@@ -74,7 +74,7 @@ pub struct Found {
 
 impl SubsetStudy {
     /// Looks at the subset `name` with `features` in `demonstrations`. `track` gives the track in the demonstration at a
-    /// position; it is asked for those that are not [known](Self::knows) yet. Gives how many tracks were looked at.
+    /// position; it is asked for those that are not known yet. Gives how many tracks were looked at.
     ///
     /// The scales on which a thing moves and trembles are those of all its tracks. They are [rounded](scales_of), so one
     /// more demonstration mostly leaves them what they are, and then it alone is looked at. Where a scale changes, every
@@ -185,11 +185,6 @@ impl SubsetStudy {
             wild: self.notes.iter().map(|notes| notes.wild.positions.clone()).collect(),
             stays: self.first_look.clone(),
         }
-    }
-
-    /// Whether the track of `features` in `demonstration` is here.
-    pub fn knows(&self, features: &[String], demonstration: DemonstrationKey) -> bool {
-        self.recording.features == features && self.demonstrations.contains(&demonstration)
     }
 
     /// Takes note of the stays that [`tell`] has told of the last look; none where every frame is looked at.
