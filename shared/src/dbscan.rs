@@ -46,6 +46,7 @@ pub struct DbscanParameters {
 /// (Gunawan, *A Faster Algorithm for DBSCAN*, 2013; Gan and Tao, *DBSCAN Revisited*, 2015). Up to four dimensions the cells
 /// are those of a grid; beyond, and where a grid would be too fine to count its cells, they are the leaves of a tree.
 /// Cells that hold a heap have a tree of their own, so that a point beside a heap is not compared with all of it.
+/// Few points in a cell of the grid with no cell near it are noise, and nobody looks at them again.
 ///
 /// # Complexity
 ///
