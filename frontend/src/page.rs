@@ -11,6 +11,7 @@ mod download;
 mod dropped;
 mod geometry;
 mod keys;
+mod labels;
 mod links;
 mod model;
 mod monitor;

@@ -16,9 +16,13 @@ pub(crate) fn significant(value: f64) -> String {
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
-/// A share in percent.
+/// A share in percent. Only nothing is 0%, and only all of it is 100%.
 pub(crate) fn percent(part: usize, whole: usize) -> String {
-    format!("{:.0}%", 100.0 * part as f64 / whole.max(1) as f64)
+    match (100.0 * part as f64 / whole.max(1) as f64).round() {
+        share if share < 1.0 && part > 0 => "<1%".to_owned(),
+        share if share > 99.0 && part < whole => ">99%".to_owned(),
+        share => format!("{share:.0}%"),
+    }
 }
 
 /// `1 frame`, `2 frames`.
@@ -107,6 +111,15 @@ pub(crate) fn transition_label(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn only_nothing_is_no_percent_and_only_all_is_a_hundred() {
+        let shares = [(0, 600), (1, 600), (7, 18), (599, 600), (600, 600), (0, 0)];
+        assert_eq!(
+            shares.map(|(part, whole)| percent(part, whole)),
+            ["0%", "<1%", "39%", ">99%", "100%", "0%"]
+        );
+    }
 
     #[test]
     fn lengths_have_four_significant_digits() {

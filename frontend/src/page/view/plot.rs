@@ -3,11 +3,16 @@
 use leptos::prelude::*;
 
 use crate::page::geometry::{Plane, Range, dots, line, round_length};
+use crate::page::labels::{Label, Spot, spots};
 use crate::page::text::significant;
 
 /// Width and height of a plane; it keeps its shape on the page.
 const SIZE: (f64, f64) = (420.0, 300.0);
 const MARGIN: f64 = 24.0;
+/// Radius of the dot where a path ends.
+const END: f64 = 4.5;
+/// The smallest radius of a disk.
+const SMALLEST: f64 = 3.0;
 
 /// The path of one thing, with gaps.
 pub(crate) struct Trace {
@@ -38,21 +43,24 @@ pub(crate) struct Disk {
 pub(crate) fn plane_view((across, up): (&str, &str), traces: &[Trace]) -> impl IntoView + use<> {
     let points = || traces.iter().flat_map(|trace| trace.points.iter().flatten().copied());
     let plane = plane_of(points());
+    let end = |trace: &Trace| trace.points.iter().flatten().next_back().map(|&point| plane.place(point));
     let path = |trace: &Trace| {
         let placed = trace.points.iter().map(|point| point.map(|point| plane.place(point)));
         let start = trace.points.iter().flatten().next().map(|&point| plane.place(point));
-        let end = trace.points.iter().flatten().next_back().map(|&point| plane.place(point));
         view! {
             <g class=format!("trace {}", trace.class)>
                 <path class="trace-line" d=line(placed) />
                 {start.map(|(x, y)| view! { <circle class="trace-start" cx=x.to_string() cy=y.to_string() r="3.5" /> })}
-                {end.map(|(x, y)| view! { <circle class="trace-end" cx=x.to_string() cy=y.to_string() r="4.5" /> })}
-                {end.map(|end| beside(end, 8.0, trace.name.clone()))}
+                {end(trace).map(|(x, y)| view! { <circle class="trace-end" cx=x.to_string() cy=y.to_string() r=END.to_string() /> })}
             </g>
         }
     };
-    let paths = traces.iter().map(path).collect_view().into_any();
-    framed((across, up), &plane, paths)
+    let paths = traces.iter().map(path).collect_view();
+    let label = |trace: &Trace| {
+        Some((trace.class.clone(), Label { name: shortened(&trace.name), place: end(trace)?, radius: END }))
+    };
+    let names = names(traces.iter().filter_map(label).collect());
+    framed((across, up), &plane, view! { {paths} {names} }.into_any())
 }
 
 /// Points, and over them the balls, which may change; the plane shows all points and has room for the balls `around`.
@@ -70,28 +78,58 @@ pub(crate) fn disks_view<F: Fn() -> Vec<Disk> + Send + 'static>(
     let dot_of = |&point: &(f64, f64)| dots(std::iter::once(plane.place(point)));
     let dot_of: Vec<String> = points.iter().map(dot_of).collect();
     let cloud = dot_of.concat();
-    let disk = move |disk: Disk| {
-        let (x, y) = plane.place(disk.center);
-        let radius = (disk.radius * plane.scale()).max(3.0);
+    let radius = move |disk: &Disk| (disk.radius * plane.scale()).max(SMALLEST);
+    let disk = move |disk: &Disk| {
+        let ((x, y), radius) = (plane.place(disk.center), radius(disk));
         let inside: String = disk.points.iter().map(|&point| dot_of[point].as_str()).collect();
         view! {
-            <g class=disk.class>
+            <g class=disk.class.clone()>
                 {(!inside.is_empty()).then(|| view! { <path class="ball-points" d=inside /> })}
                 <circle class="ball-rim" cx=format!("{x:.1}") cy=format!("{y:.1}") r=format!("{radius:.1}") />
-                {(!disk.label.is_empty()).then(|| beside((x, y), radius + 4.0, disk.label))}
             </g>
         }
     };
-    let all = move || disks().into_iter().map(&disk).collect_view();
+    let label = move |disk: &Disk| {
+        let label =
+            Label { name: shortened(&disk.label), place: plane.place(disk.center), radius: radius(disk) };
+        (disk.class.clone(), label)
+    };
+    let all = move || {
+        let disks = disks();
+        let named = disks.iter().filter(|disk| !disk.label.is_empty());
+        view! { {disks.iter().map(&disk).collect_view()} {names(named.map(label).collect())} }
+    };
     framed((across, up), &plane, view! { <path class="cloud" d=cloud /> {all} }.into_any())
 }
 
-/// A text at the side of a place where there is room.
-fn beside((x, y): (f64, f64), distance: f64, text: String) -> impl IntoView {
-    let at_left = x > 0.72 * SIZE.0;
-    let x = if at_left { x - distance } else { x + distance };
+/// Names with the classes of what they name. What was drawn last lies on top, so its name is the one right beside.
+fn names(mut named: Vec<(String, Label)>) -> impl IntoView {
+    named.reverse();
+    let (classes, labels): (Vec<String>, Vec<Label>) = named.into_iter().unzip();
+    let above_the_scale_bar = (SIZE.0, SIZE.1 - 16.0);
+    let spots = spots(&labels, above_the_scale_bar);
+    let spotted = classes.into_iter().zip(labels).zip(spots);
+    spotted.filter_map(|((class, label), spot)| Some(name(class, label.name, spot?))).collect_view()
+}
+
+fn name(class: String, name: String, Spot { near: (x, y), at_left, leader }: Spot) -> impl IntoView {
     let anchor = if at_left { "end" } else { "start" };
-    view! { <text x=format!("{x:.1}") y=format!("{:.1}", y + 4.0) text-anchor=anchor>{text}</text> }
+    let leader = leader.map(|ends| view! { <path class="leader" d=line(ends.into_iter().map(Some)) /> });
+    view! {
+        <g class=class>
+            {leader}
+            <text x=format!("{x:.1}") y=format!("{:.1}", y + 4.0) text-anchor=anchor>{name}</text>
+        </g>
+    }
+}
+
+/// The start of a name that is too long to stand beside anything.
+fn shortened(name: &str) -> String {
+    const LONGEST: usize = 26;
+    if name.chars().count() <= LONGEST {
+        return name.to_owned();
+    }
+    name.chars().take(LONGEST - 1).chain(['…']).collect()
 }
 
 fn plane_of(points: impl Iterator<Item = (f64, f64)> + Clone) -> Plane {

@@ -123,7 +123,7 @@ pub(crate) fn samples(app: App) -> impl IntoView {
     };
     view! {
         <h3>"Sample words"</h3>
-        <div class="row">
+        <div class="seed">
             <label class="field">
                 <span>"Seed"</span>
                 <input type="text" inputmode="numeric" prop:value=move || seed().to_string() on:change=change />

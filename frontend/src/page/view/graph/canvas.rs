@@ -5,7 +5,7 @@ use goalgraph::pdfa::{StateId, Symbol};
 use leptos::html::Canvas;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
-use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, HtmlElement};
 
 use super::view_part::ViewPart;
 use crate::page::derived::Picture;
@@ -34,7 +34,7 @@ pub(super) fn canvas(app: App, part: Memo<ViewPart>) -> impl IntoView {
             let _ = context.scale(viewport.scale, viewport.scale);
             app.derived.residue.with(|hidden| {
                 let shown = viewport.shown(frame);
-                let paint = Paint { context: &context, viewport, shown };
+                let paint = Paint { canvas: &canvas, context: &context, viewport, shown };
                 paint.transitions(&picture, &|edge| !hidden.transitions.contains(&edge));
                 paint.states(&picture, &|id| !hidden.states.contains(&id));
             });
@@ -49,6 +49,7 @@ fn context_of(canvas: &HtmlCanvasElement) -> Option<CanvasRenderingContext2d> {
 
 /// A painter in the drawing space.
 struct Paint<'a> {
+    canvas: &'a HtmlCanvasElement,
     context: &'a CanvasRenderingContext2d,
     viewport: Viewport,
     shown: Rect,
@@ -72,7 +73,7 @@ impl Paint<'_> {
                 );
             }
         }
-        self.context.set_stroke_style_str(&color("--line-strong"));
+        self.context.set_stroke_style_str(&self.color("--line-strong"));
         self.context.set_global_alpha(if self.viewport.scale < 0.15 { 0.25 } else { 0.6 });
         self.context.set_line_width(1.0 / self.viewport.scale.min(1.0));
         self.context.stroke();
@@ -84,9 +85,9 @@ impl Paint<'_> {
         for (_, rect) in picture.states().filter(|(id, rect)| drawn(*id) && touch(rect, &self.shown)) {
             self.context.rect(rect.left, rect.top, rect.right - rect.left, rect.bottom - rect.top);
         }
-        self.context.set_fill_style_str(&color("--raised"));
+        self.context.set_fill_style_str(&self.color("--raised"));
         self.context.fill();
-        self.context.set_stroke_style_str(&color("--text-soft"));
+        self.context.set_stroke_style_str(&self.color("--text-soft"));
         self.context.set_line_width(1.0 / self.viewport.scale.min(1.0));
         self.context.stroke();
         if self.viewport.scale >= 0.1 {
@@ -95,7 +96,7 @@ impl Paint<'_> {
     }
 
     fn names(&self, picture: &Picture, drawn: &dyn Fn(StateId) -> bool) {
-        self.context.set_fill_style_str(&color("--text"));
+        self.context.set_fill_style_str(&self.color("--text"));
         self.context.set_text_align("center");
         self.context.set_text_baseline("middle");
         let size = (11.0 / self.viewport.scale).clamp(11.0, 26.0);
@@ -106,6 +107,15 @@ impl Paint<'_> {
         }
     }
 
+    /// A color of the style sheet. A token is read as it is written, with `light-dark()` in it; the color of an element
+    /// is what comes of it, so the canvas takes it on.
+    fn color(&self, token: &str) -> String {
+        // Without a style there is nothing to read either: what is painted is then black.
+        let _ = HtmlElement::style(self.canvas).set_property("color", &format!("var({token})"));
+        let style = window().get_computed_style(self.canvas).ok().flatten();
+        style.and_then(|style| style.get_property_value("color").ok()).unwrap_or_default()
+    }
+
     fn touches(&self, curve: &CubicBezier) -> bool {
         let points = [curve.start, curve.control_1, curve.control_2, curve.end];
         let low = |value: fn(&Point) -> f64| points.iter().map(value).fold(f64::INFINITY, f64::min);
@@ -114,13 +124,6 @@ impl Paint<'_> {
             Rect { left: low(|p| p.x), top: low(|p| p.y), right: high(|p| p.x), bottom: high(|p| p.y) };
         touch(&rect, &self.shown)
     }
-}
-
-/// A color of the style sheet.
-fn color(name: &str) -> String {
-    let style =
-        document().document_element().and_then(|root| window().get_computed_style(&root).ok().flatten());
-    style.and_then(|style| style.get_property_value(name).ok()).unwrap_or_default().trim().to_owned()
 }
 
 fn touch(a: &Rect, b: &Rect) -> bool {
