@@ -2,7 +2,7 @@
 
 use goalgraph::demonstration::Demonstration;
 use goalgraph::import::{Header, ImportError, import, import_digested};
-use goalgraph_tasks::{Task, four_blocks, tower};
+use goalgraph_tasks::{FRAMES_OF_A_DEMONSTRATION, Task, four_blocks, scattered_rests, tower};
 
 /// Frames of each of the [`nine_files`].
 const FRAMES: usize = 300;
@@ -47,6 +47,18 @@ pub fn frames_in_one_file(frames: usize) -> File {
     File { name: "demonstrations.csv".to_owned(), text: task.csv_all() }
 }
 
+/// `frames` frames of demonstrations that rest where nothing rested before, in one file: every rest is a cluster of its own.
+pub fn scattered_in_one_file(frames: usize) -> File {
+    let line = |(index, point): (usize, &[f64])| {
+        let demonstration = index / FRAMES_OF_A_DEMONSTRATION;
+        format!("{demonstration},{:.5},{:.5},{:.5}\n", point[0], point[1], point[2])
+    };
+    let points = scattered_rests(frames, 1);
+    let header = "demo,thing.x,thing.y,thing.z\n".to_owned();
+    let text = std::iter::once(header).chain(points.chunks_exact(3).enumerate().map(line)).collect();
+    File { name: "scattered.csv".to_owned(), text }
+}
+
 /// `demonstrations` of four blocks in two stacks, whose order is free where the stacks allow it.
 pub fn blocks(demonstrations: usize) -> Task {
     four_blocks(1, demonstrations)
@@ -72,6 +84,8 @@ pub fn read_digested(file: &File) -> Result<Vec<Demonstration>, ImportError> {
 
 #[cfg(test)]
 mod tests {
+    use goalgraph::infer::{InferRequest, infer};
+
     use super::*;
 
     #[test]
@@ -82,6 +96,15 @@ mod tests {
             let demonstrations = read(file).unwrap();
             assert_eq!((demonstrations.len(), demonstrations[0].frames()), (1, FRAMES));
         }
+    }
+
+    #[test]
+    fn every_rest_is_somewhere_else_where_rests_are_scattered() {
+        let demonstrations = read(&scattered_in_one_file(30 * FRAMES_OF_A_DEMONSTRATION)).unwrap();
+        assert_eq!(demonstrations.len(), 30);
+        let inference = infer(&demonstrations, &InferRequest::default(), &mut |_| {}).unwrap();
+        let clusters = inference.specification.sub_goals.len() + inference.eliminated.len();
+        assert!((90..=120).contains(&clusters), "{clusters}");
     }
 
     #[test]

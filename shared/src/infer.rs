@@ -115,7 +115,10 @@ pub enum InferError {
 ///
 /// # Complexity
 ///
-/// O(n log n) in the observed partial states where things rest in heaps; see [`crate::dbscan::dbscan`].
+/// O(n log n) for n observed partial states of few features where things rest, at places that demonstrations share or
+/// not, and O(n · A) to see where A sub-goals hold. In many features, and without heaps, what
+/// [`find_sub_goals`](crate::sub_goal::find_sub_goals) takes; and per demonstration the product of the numbers of dwells
+/// of two subsets, as in [`stays`](crate::rest::stays).
 pub fn infer(
     demonstrations: &[Demonstration],
     request: &InferRequest,

@@ -131,7 +131,7 @@ fn best_direction(
             .flat_map(|&member| lifts_per_carry(&recordings[member], &subsets[member], &agreed.down));
         let lift = median(lifts.collect());
         let is_alone = members.len() == 1;
-        let is_clear = !is_alone || (lift < 1.0 && places_shown(subsets, members) > 2);
+        let is_clear = !is_alone || (lift < 1.0 && is_left_at_several_places(&subsets[members[0]]));
         let needed = if is_clear { AGREEMENT } else { AGREEMENT_ALONE };
         let is_usual = agreed.closeness > needed && agreed.part >= AGREEING;
         let is_accounted = agreed.closeness > AGREEMENT
@@ -146,21 +146,12 @@ fn best_direction(
     REACHES.into_iter().filter_map(at_share).max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, best)| best)
 }
 
-/// At how many places things are seen to be put down or taken up: those where they are left alone, and the start of each.
-fn places_shown(subsets: &[SubsetStays], members: &[usize]) -> usize {
-    let places_of = |member: &usize| {
-        let subset = &subsets[*member];
-        let mut places: Vec<&[f64]> = Vec::new();
-        for stay in subset.demonstrations.iter().flatten().filter(|stay| stay.kind == Kind::LeftAlone) {
-            let known =
-                |place: &&[f64]| distance(place, &stay.dwell.center) <= SAME_PLACE * subset.scales.travel;
-            if !places.iter().any(known) {
-                places.push(&stay.dwell.center);
-            }
-        }
-        places.len() + 1
-    };
-    members.iter().map(places_of).sum()
+/// Whether a thing is left alone at more places than one, of those that are counted apart.
+fn is_left_at_several_places(subset: &SubsetStays) -> bool {
+    let left_alone = subset.demonstrations.iter().flatten().filter(|stay| stay.kind == Kind::LeftAlone);
+    let mut places = left_alone.map(|stay| &stay.dwell.center);
+    let same_place = SAME_PLACE * subset.scales.travel;
+    places.next().is_some_and(|first| places.any(|other| distance(first, other) > same_place))
 }
 
 /// The ways on which a thing comes to where it is left alone, and those on which it leaves that or its start.

@@ -88,8 +88,8 @@ impl Candidates {
     ///
     /// # Complexity
     ///
-    /// That of [`dbscan`](crate::dbscan::dbscan), or less where a few points have come since, and O(n + k²) for k clusters
-    /// of n points.
+    /// That of [`dbscan`](crate::dbscan::dbscan), or less where a few points have come since, and O(n log n) for n points of
+    /// few coordinates; O(k²) for k clusters of many.
     pub(super) fn clusters(
         &self,
         recording: &SubsetRecording,
@@ -102,6 +102,7 @@ impl Candidates {
             mean(self.points.dimension(), members.iter().map(|&member| self.points.point(member as usize)))
         };
         let centers: Vec<Vec<f64>> = members.iter().map(center).collect();
+        let rooms = (rule == RadiusRule::Robust).then(|| radius::rooms(self.points.dimension(), &centers));
         let cluster = |(index, members): (usize, &Vec<u32>)| {
             let stretches = self.stretches_of(members);
             let mut demonstrations: Vec<usize> = stretches.iter().map(|it| it.demonstration).collect();
@@ -111,7 +112,12 @@ impl Candidates {
                     subset: recording.name.clone(),
                     features: recording.features.clone(),
                     center: centers[index].clone(),
-                    radius: self.radius(members, &stretches, &centers, index, rule),
+                    radius: self.radius(
+                        members,
+                        &stretches,
+                        &centers[index],
+                        rooms.as_ref().map(|it| it[index]),
+                    ),
                 },
                 frames: members.len(),
                 demonstrations: demonstrations.len(),
@@ -134,8 +140,44 @@ impl Candidates {
     }
 
     /// The stretches that have points among these, which are ascending.
+    ///
+    /// # Complexity
+    ///
+    /// O(m + f log s) for m points in f of s stretches.
     fn stretches_of(&self, members: &[u32]) -> Vec<&Stretch> {
-        let mut all = self.stretches.iter();
+        let mut found: Vec<&Stretch> = Vec::new();
+        for &member in members {
+            if found.last().is_none_or(|last| last.end <= member as usize) {
+                let before = self.stretches.partition_point(|stretch| stretch.end <= member as usize);
+                found.extend(self.stretches.get(before));
+            }
+        }
+        found
+    }
+
+    /// By the robust rule where there is `room` to be kept to, as published where there is none.
+    fn radius(&self, members: &[u32], stretches: &[&Stretch], center: &[f64], room: Option<f64>) -> f64 {
+        let to_center = |point: &[f64]| distance(point, center);
+        let distances = members.iter().map(|&member| to_center(self.points.point(member as usize))).collect();
+        let Some(room) = room else {
+            return radius::largest(distances);
+        };
+        let floor = |stillness: f64| {
+            stillness + stretches.iter().map(|stretch| to_center(&stretch.center)).fold(0.0, f64::max)
+        };
+        radius::robust(distances, self.stillness.map_or(0.0, floor), room)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// A look at the stretches from the first on.
+    fn stretches_one_by_one<'a>(candidates: &'a Candidates, members: &[u32]) -> Vec<&'a Stretch> {
+        let mut all = candidates.stretches.iter();
         let mut found: Vec<&Stretch> = Vec::new();
         for &member in members {
             if found.last().is_none_or(|last| last.end <= member as usize) {
@@ -145,24 +187,21 @@ impl Candidates {
         found
     }
 
-    fn radius(
-        &self,
-        members: &[u32],
-        stretches: &[&Stretch],
-        centers: &[Vec<f64>],
-        index: usize,
-        rule: RadiusRule,
-    ) -> f64 {
-        let to_center = |point: &[f64]| distance(point, &centers[index]);
-        let distances = members.iter().map(|&member| to_center(self.points.point(member as usize))).collect();
-        let floor = |stillness: f64| {
-            stillness + stretches.iter().map(|stretch| to_center(&stretch.center)).fold(0.0, f64::max)
-        };
-        match rule {
-            RadiusRule::Largest => radius::largest(distances),
-            RadiusRule::Robust => {
-                radius::robust(distances, self.stillness.map_or(0.0, floor), radius::room(centers, index))
+    proptest! {
+        #[test]
+        fn stretches_of_points_are_found(
+            lengths in prop::collection::vec(0..5_usize, 0..30), are_members in prop::collection::vec(any::<bool>(), 120),
+        ) {
+            let mut candidates = Candidates::none(&SubsetRecording::default(), None);
+            candidates.points = Points::new(1);
+            for (stay, &length) in lengths.iter().enumerate() {
+                candidates.add((0, stay), Vec::new(), std::iter::repeat_n(&[0.0][..], length));
             }
+            let members: Vec<u32> =
+                (0..candidates.points.len() as u32).filter(|&at| are_members[at as usize]).collect();
+            let stays = |stretches: Vec<&Stretch>| stretches.iter().map(|it| it.stay).collect::<Vec<_>>();
+            let expected = stays(stretches_one_by_one(&candidates, &members));
+            prop_assert_eq!(stays(candidates.stretches_of(&members)), expected);
         }
     }
 }

@@ -1,10 +1,17 @@
 //! Which clusters are no sub-goals, and why.
 
+#[cfg(test)]
+mod by_definition;
+#[cfg(test)]
+mod tests;
+mod visits;
+
+use super::arranged::Arranged;
 use super::clustering::{Clustering, Clusterings};
 use super::{Candidates, Cluster, Eliminated, RadiusRule};
 use crate::dbscan::DbscanParameters;
-use crate::points::{Track, median};
 use crate::rest::{Kind, Stay, SubsetRecording, SubsetStays};
+use visits::{ArrangedStays, Visit, is_left_alone, typical_length};
 
 /// A place where a thing is never known to be left alone needs this share of the demonstrations, or that share if it
 /// stays there about as long as elsewhere: others are stops by chance.
@@ -14,67 +21,73 @@ const SUPPORT_OF_LONG: f64 = 0.1;
 /// A thing stays at a place about as long as elsewhere from this share of the typical length on.
 const LONG: f64 = 0.6;
 
-/// Why a cluster is no sub-goal, if it is none.
-pub(super) fn reason_against(
-    cluster: &Cluster,
+/// Why each of `clusters` is no sub-goal; none of those that are.
+///
+/// # Complexity
+///
+/// O(s log s) for s stays of few features, and O(log s) and the stays in its ball for each cluster; of many features O(s)
+/// for each.
+pub(super) fn reasons_against(
+    clusters: &[Cluster],
     recording: &SubsetRecording,
     stays: Option<&SubsetStays>,
-) -> Option<String> {
-    let starts = stays.map_or_else(
-        || recording.tracks.iter().filter(|track| starts_inside(track, cluster)).count(),
-        |stays| stays.demonstrations.iter().filter(|stays| rests_from_start(stays, cluster)).count(),
-    );
+) -> Vec<Option<String>> {
+    let dimension = recording.features.len();
     let total = recording.tracks.len();
-    if starts > 0 {
-        return Some(format!("{starts} of {total} demonstrations start here"));
-    }
-    let stays = stays?;
-    let needed = support_needed(cluster, stays);
+    let starts = match stays {
+        Some(stays) => {
+            Arranged::new(dimension, stays.demonstrations.iter().filter_map(|it| rest_at_start(it)))
+        }
+        None => Arranged::new(dimension, recording.tracks.iter().filter_map(|it| it.points.iter().next())),
+    };
+    let stays = stays.map(|stays| ArrangedStays::new(dimension, stays));
+    let reason = |cluster: &Cluster| match starts.inside(&cluster.ball).len() {
+        0 => stays.as_ref().and_then(|stays| reason_in_stays(cluster, stays)),
+        starts => Some(format!("{starts} of {total} demonstrations start here")),
+    };
+    clusters.iter().map(reason).collect()
+}
+
+fn reason_in_stays(cluster: &Cluster, stays: &ArrangedStays) -> Option<String> {
+    let total = stays.demonstrations;
+    let here = stays.inside(&cluster.ball);
     let support = cluster.demonstrations;
-    let held = held_only(cluster, stays);
+    let held = held_only(&here);
     if held > support {
         return Some(format!("{held} of {total} demonstrations hold it here on the way"));
     }
+    let needed = support_needed(&here, stays);
     (support < needed).then(|| format!("only {support} of {total} demonstrations rest here"))
 }
 
-fn starts_inside(track: &Track, cluster: &Cluster) -> bool {
-    track.points.iter().next().is_some_and(|first| cluster.ball.contains(first))
-}
-
-fn rests_from_start(stays: &[Stay], cluster: &Cluster) -> bool {
-    let first = stays.first();
-    first.is_some_and(|stay| stay.kind == Kind::Start && cluster.ball.contains(&stay.dwell.center))
+/// Where a thing is from the start of a demonstration on, if it stays there.
+fn rest_at_start(stays: &[Stay]) -> Option<&[f64]> {
+    let start = stays.first().filter(|stay| stay.kind == Kind::Start);
+    start.map(|stay| stay.dwell.center.as_slice())
 }
 
 /// How many demonstrations hold the thing at a place and never put it down there; none if it is left alone there in one.
-fn held_only(cluster: &Cluster, stays: &SubsetStays) -> usize {
-    let here = |stay: &&Stay| cluster.ball.contains(&stay.dwell.center);
-    let kinds = |stays: &[Stay]| stays.iter().filter(here).map(|stay| stay.kind).collect::<Vec<_>>();
-    let all: Vec<Vec<Kind>> = stays.demonstrations.iter().map(|stays| kinds(stays)).collect();
-    if all.iter().flatten().any(|&kind| kind == Kind::LeftAlone) {
+fn held_only(here: &[Visit]) -> usize {
+    if is_left_alone(here) {
         return 0;
     }
-    all.iter()
-        .filter(|kinds| kinds.contains(&Kind::Pause) && !kinds.iter().any(|kind| kind.is_rest()))
+    let in_demonstrations = here.chunk_by(|a, b| a.0 == b.0);
+    in_demonstrations
+        .filter(|visits| {
+            let mut kinds = visits.iter().map(|(_, stay)| stay.kind);
+            kinds.clone().any(|kind| kind == Kind::Pause) && !kinds.any(Kind::is_rest)
+        })
         .count()
 }
 
 /// How many demonstrations must rest at a place.
-fn support_needed(cluster: &Cluster, stays: &SubsetStays) -> usize {
-    let total = stays.demonstrations.len();
-    let here = |stay: &&Stay| cluster.ball.contains(&stay.dwell.center);
-    let frames = |stay: &Stay| stay.dwell.span.len() as f64;
-    let rests = || stays.demonstrations.iter().flatten().filter(|stay| stay.kind.is_rest());
-    let unclear = || rests().filter(|stay| stay.kind == Kind::Rest);
-    let length_here = median(unclear().filter(here).map(frames).collect());
-    let elsewhere = median(unclear().map(frames).collect()).max(stays.shortest_left);
-    let is_long = length_here >= LONG * elsewhere;
+fn support_needed(here: &[Visit], stays: &ArrangedStays) -> usize {
+    let is_long = typical_length(here) >= LONG * stays.typical;
     let share = if is_long { SUPPORT_OF_LONG } else { SUPPORT_OF_UNCLEAR };
-    match total {
+    match stays.demonstrations {
         0..3 => 1,
-        _ if rests().filter(here).any(|stay| stay.kind == Kind::LeftAlone) => 2,
-        _ => 2.max((share * total as f64).ceil() as usize),
+        _ if is_left_alone(here) => 2,
+        total => 2.max((share * total as f64).ceil() as usize),
     }
 }
 
@@ -90,15 +103,13 @@ pub(super) fn starts_and_pauses(
     known: &mut Clusterings,
 ) -> Vec<Eliminated> {
     let total = recording.tracks.len();
-    let is_new = |cluster: &Cluster| {
-        let mut known = found.iter().chain(eliminated.iter().map(|eliminated| &eliminated.cluster));
-        !known.any(|known| known.ball.contains(&cluster.ball.center))
-    };
+    let shown_already: Vec<&Cluster> =
+        found.iter().chain(eliminated.iter().map(|eliminated| &eliminated.cluster)).collect();
     let shown = |kind: Kind, needed: usize, what: &str, known: &mut Option<Clustering>| -> Vec<Eliminated> {
         let candidates = Candidates::of_stays(recording, stays, |it| it == kind);
         let clusters = candidates.clusters(recording, density, rule, known).into_iter();
-        let clusters = clusters.filter(|cluster| cluster.demonstrations >= needed && is_new(cluster));
-        let with_reason = clusters.map(|cluster| {
+        let clusters = clusters.filter(|cluster| cluster.demonstrations >= needed).collect();
+        let with_reason = new_ones(clusters, &shown_already).into_iter().map(|cluster| {
             let reason = format!("{} of {total} demonstrations {what}", cluster.demonstrations);
             Eliminated { cluster, reason }
         });
@@ -110,111 +121,16 @@ pub(super) fn starts_and_pauses(
     all
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::points::Points;
-    use crate::rest::stays;
-    use crate::sub_goal::{SubGoalSearch, find_sub_goals};
-    use crate::subset::{Setting, SubsetRequest};
-
-    /// A thing on a line: in each demonstration, where it is and for how many frames.
-    fn recording(demonstrations: &[&[(f64, usize)]]) -> SubsetRecording {
-        let track = |stretches: &&[(f64, usize)]| {
-            let x: Vec<f64> = stretches.iter().flat_map(|&(x, frames)| vec![x; frames]).collect();
-            Track::observed_throughout(Points::from_rows(1, x))
-        };
-        SubsetRecording::new("red", &["red.x".to_owned()], demonstrations.iter().map(track).collect())
+/// Those of `clusters` whose centers are in none of the balls that are shown already.
+fn new_ones(clusters: Vec<Cluster>, shown_already: &[&Cluster]) -> Vec<Cluster> {
+    let Some(first) = clusters.first() else {
+        return clusters;
+    };
+    let dimension = first.ball.center.len();
+    let centers = Arranged::new(dimension, clusters.iter().map(|cluster| cluster.ball.center.as_slice()));
+    let mut is_new = vec![true; clusters.len()];
+    for position in shown_already.iter().flat_map(|shown| centers.inside(&shown.ball)) {
+        is_new[position] = false;
     }
-
-    fn request(epsilon: Setting<f64>, min_points: Setting<usize>) -> SubsetRequest {
-        let features = vec!["red.x".to_owned()];
-        SubsetRequest { name: "red".to_owned(), features, epsilon, min_points, restored: Vec::new() }
-    }
-
-    fn centers(search: &SubGoalSearch) -> Vec<f64> {
-        search.found.iter().map(|cluster| cluster.ball.center[0]).collect()
-    }
-
-    fn reasons(search: &SubGoalSearch) -> Vec<(f64, &str)> {
-        let pairs = search.eliminated.iter();
-        pairs.map(|it| (it.cluster.ball.center[0], it.reason.as_str())).collect()
-    }
-
-    fn at_rest(demonstrations: &[&[(f64, usize)]]) -> SubGoalSearch {
-        let recording = recording(demonstrations);
-        let stays = &stays(std::slice::from_ref(&recording))[0];
-        find_sub_goals(&recording, Some(stays), &request(Setting::Auto, Setting::Auto), RadiusRule::Robust)
-    }
-
-    #[test]
-    fn a_cluster_that_holds_the_first_observed_state_is_eliminated() {
-        let recording =
-            recording(&[&[(0.0, 10), (0.5, 1), (1.0, 10)], &[(0.0, 10), (1.0, 10)], &[(1.0, 10)]]);
-        let request = request(Setting::Fixed(0.1), Setting::Fixed(5));
-        let search = find_sub_goals(&recording, None, &request, RadiusRule::Largest);
-        assert_eq!(centers(&search), [0.0; 0]);
-        let expected = [(0.0, "2 of 3 demonstrations start here"), (1.0, "1 of 3 demonstrations start here")];
-        assert_eq!(reasons(&search), expected);
-    }
-
-    #[test]
-    fn places_where_demonstrations_only_start_are_shown() {
-        let way: &[(f64, usize)] = &[(0.0, 20), (0.5, 1), (1.0, 20)];
-        let search = at_rest(&[way, way, way]);
-        assert_eq!(centers(&search), [1.0]);
-        assert_eq!(reasons(&search), [(0.0, "3 of 3 demonstrations start here")]);
-    }
-
-    #[test]
-    fn an_eliminated_cluster_is_a_sub_goal_again_when_the_expert_restores_it() {
-        let way: &[(f64, usize)] = &[(0.0, 20), (0.5, 1), (1.0, 20)];
-        let recording = recording(&[way, way, way]);
-        let stays = &stays(std::slice::from_ref(&recording))[0];
-        let mut request = request(Setting::Auto, Setting::Auto);
-        request.restored = vec![vec![0.0]];
-        let search = find_sub_goals(&recording, Some(stays), &request, RadiusRule::Robust);
-        assert_eq!(centers(&search), [1.0, 0.0]);
-        assert_eq!(reasons(&search), []);
-    }
-
-    #[test]
-    fn a_start_of_one_demonstration_alone_is_not_shown() {
-        let search = at_rest(&[&[(0.0, 20), (0.5, 1), (1.0, 20)], &[(0.2, 20), (0.5, 1), (1.0, 20)]]);
-        assert_eq!(centers(&search), [1.0]);
-        assert_eq!(reasons(&search), []);
-    }
-
-    #[test]
-    fn pauses_of_most_demonstrations_are_shown() {
-        let pauses: &[(f64, usize)] =
-            &[(0.0, 30), (0.5, 1), (1.0, 5), (1.5, 1), (2.0, 30), (2.5, 1), (3.0, 30)];
-        let search = at_rest(&[pauses, pauses, pauses]);
-        assert_eq!(centers(&search), [2.0, 3.0]);
-        let expected = [
-            (0.0, "3 of 3 demonstrations start here"),
-            (1.0, "3 of 3 demonstrations hold it here on the way"),
-        ];
-        assert_eq!(reasons(&search), expected);
-    }
-
-    #[test]
-    fn a_place_where_more_demonstrations_pause_than_rest_is_eliminated() {
-        let pause: &[(f64, usize)] =
-            &[(0.0, 30), (0.5, 1), (1.0, 5), (1.5, 1), (2.0, 30), (2.5, 1), (3.0, 30)];
-        let rest: &[(f64, usize)] =
-            &[(0.0, 30), (0.5, 1), (1.0, 30), (1.5, 1), (2.0, 30), (2.5, 1), (3.0, 30)];
-        let search = at_rest(&[pause, pause, pause, rest, rest]);
-        assert_eq!(centers(&search), [2.0, 3.0]);
-        assert_eq!(reasons(&search)[0], (1.0, "3 of 5 demonstrations hold it here on the way"));
-    }
-
-    #[test]
-    fn a_stop_of_one_demonstration_is_eliminated() {
-        let way: &[(f64, usize)] = &[(0.0, 30), (1.0, 1), (2.0, 30), (2.5, 1), (3.0, 30)];
-        let stop: &[(f64, usize)] = &[(0.0, 30), (1.0, 30), (1.5, 1), (2.0, 30), (2.5, 1), (3.0, 30)];
-        let search = at_rest(&[way, way, way, stop]);
-        assert_eq!(centers(&search), [2.0, 3.0]);
-        assert_eq!(reasons(&search)[0], (1.0, "only 1 of 4 demonstrations rest here"));
-    }
+    clusters.into_iter().zip(is_new).filter_map(|(cluster, is_new)| is_new.then_some(cluster)).collect()
 }

@@ -1,5 +1,6 @@
 //! How large the ball around a cluster is, from the distances of its points to its center.
 
+use super::arranged::Arranged;
 use crate::points::{distance, quantile};
 
 /// The share of points that the robust rule looks at: the rest may be a chain of transit points.
@@ -21,16 +22,42 @@ pub(super) fn robust(distances: Vec<f64>, floor: f64, room: f64) -> f64 {
     (MARGIN * quantile(distances, BULK)).max(floor).min(room)
 }
 
-/// How large the ball at `centers[index]` may be beside the others; infinite when it is the only one.
-pub(super) fn room(centers: &[Vec<f64>], index: usize) -> f64 {
-    let others = centers.iter().enumerate().filter(|&(other, _)| other != index);
-    let rooms = others.map(|(_, other)| SHARE_OF_WAY * distance(&centers[index], other));
-    rooms.fold(f64::INFINITY, f64::min)
+/// How large the ball around each of `centers`, of `dimension` coordinates, may be beside the others; infinite when it is
+/// the only one.
+///
+/// # Complexity
+///
+/// O(k log k) for k centers of few coordinates; O(k²) of many.
+pub(super) fn rooms(dimension: usize, centers: &[Vec<f64>]) -> Vec<f64> {
+    let arranged = Arranged::new(dimension, centers.iter().map(Vec::as_slice));
+    let room = |(index, center): (usize, &Vec<f64>)| {
+        let nearest = arranged.nearest_other(index, center);
+        nearest.map_or(f64::INFINITY, |other| SHARE_OF_WAY * distance(center, &centers[other]))
+    };
+    centers.iter().enumerate().map(room).collect()
 }
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
+    use crate::sub_goal::arranged::tests::points;
+
+    /// The definition: the least of what each of the others leaves.
+    fn room(centers: &[Vec<f64>], index: usize) -> f64 {
+        let others = centers.iter().enumerate().filter(|&(other, _)| other != index);
+        let rooms = others.map(|(_, other)| SHARE_OF_WAY * distance(&centers[index], other));
+        rooms.fold(f64::INFINITY, f64::min)
+    }
+
+    proptest! {
+        #[test]
+        fn the_nearest_other_center_leaves_the_least_room(centers in points()) {
+            let expected: Vec<f64> = (0..centers.len()).map(|index| room(&centers, index)).collect();
+            prop_assert_eq!(rooms(centers.first().map_or(1, Vec::len), &centers), expected);
+        }
+    }
 
     #[test]
     fn one_straggler_blows_up_the_published_ball_only() {
@@ -42,8 +69,9 @@ mod tests {
     #[test]
     fn neighbors_never_share_a_frame() {
         let centers = [vec![0.0, 0.0], vec![1.0, 0.0], vec![0.0, 4.0]];
-        let radii = [0, 1, 2].map(|index| robust(vec![3.0; 5], 2.0, room(&centers, index)));
+        let rooms_of_all = rooms(2, &centers);
+        let radii = [0, 1, 2].map(|index| robust(vec![3.0; 5], 2.0, rooms_of_all[index]));
         assert!(radii[0] + radii[1] < 1.0 && radii[0] + radii[2] < 4.0, "{radii:?}");
-        assert!(room(&centers[..1], 0).is_infinite());
+        assert!(rooms(2, &centers[..1])[0].is_infinite());
     }
 }
