@@ -61,7 +61,7 @@ test("where no worker can be started to share with, one does all the work", asyn
     if (name === "hand") return;
     self.Worker = class extends Given {
       constructor(_: string | URL, options?: WorkerOptions) {
-        super("blob:gone", options);
+        super(`blob:${location.origin}/gone`, options);
         new BroadcastChannel("told").postMessage("started");
       }
     };
