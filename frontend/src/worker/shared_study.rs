@@ -83,7 +83,8 @@ impl SharedStudy {
             let Look { name, features, method } = &part.look;
             part.seen && (name, features, *method) == (&subset.name, &subset.features, of.request.method)
         };
-        let is_it = |part: &&Part| part.look.name == of.subset.name && part.look.features == of.subset.features;
+        let is_it =
+            |part: &&Part| part.look.name == of.subset.name && part.look.features == of.subset.features;
         let subsets = &of.request.subsets;
         let is_known = self.is_in(demonstrations)
             && self.parts.len() == subsets.len()
