@@ -80,14 +80,12 @@ mod fetched {
     async fn module(build: &str) -> Result<JsValue, JsValue> {
         let path = format!("/{build}_bg.wasm");
         let fetched: Promise = window().fetch_with_str(&path);
-        match JsFuture::from(WebAssembly::compile_streaming(&fetched)).await {
-            Ok(module) => Ok(module),
-            // Browsers compile on the way only what says that it is WebAssembly; not every server says so.
-            Err(_) => {
-                let bytes = JsFuture::from(response(&path).await?.array_buffer()?).await?;
-                JsFuture::from(WebAssembly::compile(&bytes)).await
-            }
+        if let Ok(module) = JsFuture::from(WebAssembly::compile_streaming(&fetched)).await {
+            return Ok(module);
         }
+        // Browsers compile on the way only what says that it is WebAssembly; not every server says so.
+        let bytes = JsFuture::from(response(&path).await?.array_buffer()?).await?;
+        JsFuture::from(WebAssembly::compile(&bytes)).await
     }
 
     async fn response(path: &str) -> Result<Response, JsValue> {
