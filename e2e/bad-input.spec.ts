@@ -1,6 +1,6 @@
 import { expect, test } from "@playwright/test";
-import { drop, openApp } from "./page";
-import { recording, threeRecordings } from "./recordings";
+import { drop, dropOnceBusy, openApp } from "./page";
+import { recording, repeated, threeRecordings } from "./recordings";
 
 test.beforeEach(async ({ page }) => {
   await openApp(page);
@@ -32,6 +32,18 @@ for (const { what, text } of [
     await expect(bad.getByText(/^Refused: .{10,}/)).toBeVisible();
   });
 }
+
+test("a bad file that comes during an inference does not end it", async ({ page }) => {
+  const orders = [["red", "yellow"], ["yellow", "red"]];
+  const slow = Array.from({ length: 20 }, (_, index) => repeated(recording(`${index}.csv`, orders[index % 2], index), 60));
+  await dropOnceBusy(page, { name: "notes.txt", text: "a,b\n1\n" });
+  await drop(page, slow);
+
+  await expect(page.locator('[data-file="notes.txt"]')).toHaveAttribute("data-verdict", "refused");
+  await expect(page.getByRole("status")).toContainText("4 states from 20 demonstrations");
+  await page.getByRole("tab", { name: "Automaton" }).click();
+  await expect(page.locator("[data-state]")).toHaveCount(4);
+});
 
 test("a file with other features is refused with the difference", async ({ page }) => {
   const other = recording("other.csv", ["red"], 7);

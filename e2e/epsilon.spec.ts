@@ -14,18 +14,23 @@ async function openSubGoals(page: Page, open: (page: Page) => Promise<void>): Pr
 
 const openTower = (page: Page) => page.getByRole("button", { name: /^Tower/ }).click();
 
-type Searches = { asked: number; answered: number; most: number };
+type Searches = { asked: number; answered: number; most: number; workers: number; learned: number };
 
-/** Wraps the page's workers: how many searches of one subset are asked for, answered, and under way at once. */
+/**
+ * Wraps the page's workers: how many there are, how often they have learned,
+ * and how many searches of one subset are asked for, answered, and under way at once.
+ */
 function countSearches(): void {
-  const searches: Searches = { asked: 0, answered: 0, most: 0 };
+  const searches: Searches = { asked: 0, answered: 0, most: 0, workers: 0, learned: 0 };
   const text = (data: unknown) =>
     typeof data === "string" ? data : data instanceof Uint8Array ? new TextDecoder("latin1").decode(data) : "";
   window.Worker = class extends Worker {
     constructor(url: string | URL, options?: WorkerOptions) {
       super(url, options);
+      searches.workers++;
       this.addEventListener("message", ({ data }) => {
         if (text(data).includes("Previewed")) searches.answered++;
+        if (text(data).includes("Inferred")) searches.learned++;
       });
     }
     override postMessage(message: unknown, ...rest: unknown[]): void {
@@ -138,6 +143,60 @@ test("keys move epsilon, Enter keeps it, Escape puts it back, and the engine tak
   await page.getByRole("button", { name: "Automatic" }).click();
   await expect(words(page)).toContainText("red 1");
   expect(await valueOf(slider(page))).toBe(learned);
+});
+
+/** Presses keys on the handle, all before the page hears anything from the worker. */
+const pressAtOnce = (page: Page, ...keys: string[]) =>
+  slider(page).evaluate((handle, keys) => {
+    for (const key of keys) handle.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
+  }, keys);
+
+/** The epsilon that "red" was searched with. */
+async function learnedEpsilon(page: Page): Promise<number> {
+  await page.getByRole("tab", { name: "Automaton" }).click();
+  const { subsets } = JSON.parse(await exported(page)) as { subsets: { name: string; epsilon: number }[] };
+  return subsets.find(({ name }) => name === "red")!.epsilon;
+}
+
+/** Notes what the page says from now on. */
+async function noteWords(page: Page): Promise<() => Promise<string[]>> {
+  await page.evaluate(() => {
+    const said: string[] = [];
+    const status = document.querySelector('[role="status"]')!;
+    new MutationObserver(() => said.push(status.textContent ?? "")).observe(status, { subtree: true, childList: true, characterData: true });
+    Object.assign(window, { said });
+  });
+  return () => page.evaluate(() => (window as unknown as { said: string[] }).said);
+}
+
+test("an epsilon that is tried while the one before is learned with stays under the handle", async ({ page }) => {
+  await openSubGoals(page, openTower);
+  const { learned } = await searches(page);
+  await slider(page).focus();
+  await pressAtOnce(page, "ArrowUp", "Enter", "ArrowUp", "ArrowUp", "ArrowUp");
+  const tried = await valueOf(slider(page));
+  await expect.poll(async () => (await searches(page)).learned).toBe(learned + 1);
+  await expect(found(page)).toHaveAttribute("data-epsilon", String(tried));
+  expect(await valueOf(slider(page))).toBe(tried);
+
+  await page.getByLabel("epsilon", { exact: true }).focus();
+  await expect.poll(async () => (await searches(page)).learned).toBe(learned + 2);
+  expect(await valueOf(slider(page))).toBe(tried);
+  expect(await learnedEpsilon(page)).toBe(tried);
+});
+
+test("an epsilon that is let go of while the one before is learned with takes its place, quietly", async ({ page }) => {
+  await openSubGoals(page, openTower);
+  const { learned } = await searches(page);
+  await slider(page).focus();
+  const said = await noteWords(page);
+  await pressAtOnce(page, "ArrowUp", "Enter", "ArrowUp", "ArrowUp", "Enter");
+  const chosen = await valueOf(slider(page));
+  await expect.poll(async () => (await searches(page)).learned).toBe(learned + 2);
+  expect((await said()).join()).not.toContain("Canceled");
+  expect((await searches(page)).workers).toBe(1);
+  expect(await valueOf(slider(page))).toBe(chosen);
+  expect(await learnedEpsilon(page)).toBe(chosen);
 });
 
 test("exact values are typed, and what makes no sense does not stay in the field", async ({ page }) => {

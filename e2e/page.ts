@@ -49,20 +49,61 @@ export async function forgetWork(page: Page): Promise<void> {
 }
 
 /**
- * Clicks Cancel as soon as the worker tells that it infers. It is done within the page: a click from outside can come
- * after the worker has finished.
+ * Has the page tell itself, by the event "busy", once the worker tells that it infers. What is to happen then is done
+ * within the page: a click from outside can come after the worker has finished.
  */
-export async function cancelOnceBusy(page: Page): Promise<void> {
+async function watchWork(page: Page): Promise<void> {
   await page.evaluate(() => {
     const watching = new MutationObserver(() => {
-      if (!/(Clustering|Reading words)/.test(document.body.innerText)) return;
-      const cancel = [...document.querySelectorAll("button")].find((it) => it.textContent?.trim() === "Cancel");
-      if (cancel === undefined) return;
+      if (!/(Looking at|Clustering|Reading words)/.test(document.body.innerText)) return;
       watching.disconnect();
-      cancel.click();
+      document.dispatchEvent(new Event("busy"));
     });
     watching.observe(document.body, { subtree: true, childList: true, characterData: true });
   });
+}
+
+/**
+ * Clicks Cancel as soon as the worker tells that it infers. The page is held up before, so that what the worker says
+ * meanwhile waits for it.
+ */
+export async function cancelOnceBusy(page: Page): Promise<void> {
+  await page.evaluate(() => {
+    const cancel = () => {
+      for (const until = performance.now() + 100; performance.now() < until; );
+      [...document.querySelectorAll("button")].find((it) => it.textContent?.trim() === "Cancel")?.click();
+    };
+    document.addEventListener("busy", cancel, { once: true });
+  });
+  await watchWork(page);
+}
+
+/** Drops a file as soon as the worker tells that it infers. */
+export async function dropOnceBusy(page: Page, file: Recording): Promise<void> {
+  await page.evaluate(({ name, text }) => {
+    const drop = () => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([text], name));
+      document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+    };
+    document.addEventListener("busy", drop, { once: true });
+  }, file);
+  await watchWork(page);
+}
+
+/** Counts the workers that the page starts, from before it opens. */
+export async function countWorkers(page: Page): Promise<() => Promise<number>> {
+  await page.addInitScript(() => {
+    const counted = { workers: 0 };
+    Object.assign(window, { counted });
+    window.Worker = class extends Worker {
+      constructor(url: string | URL, options?: WorkerOptions) {
+        super(url, options);
+        counted.workers++;
+      }
+    };
+  });
+  return () => page.evaluate(() => (window as unknown as { counted: { workers: number } }).counted.workers);
 }
 
 /** Waits until the browser has kept what was done last, a quarter of a second later. */

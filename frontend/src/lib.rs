@@ -15,5 +15,6 @@
 
 #[cfg(feature = "page")]
 pub mod page;
+mod program;
 pub mod protocol;
 pub mod worker;

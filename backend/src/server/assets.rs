@@ -102,7 +102,7 @@ mod tests {
     #[test]
     fn the_ending_decides_the_media_type() {
         assert_eq!(media_type("app-0123_bg.wasm"), "application/wasm");
-        assert_eq!(media_type("worker_loader.js"), "text/javascript; charset=utf-8");
+        assert_eq!(media_type("worker_simd.js"), "text/javascript; charset=utf-8");
         assert_eq!(media_type("LICENSE"), "application/octet-stream");
     }
 

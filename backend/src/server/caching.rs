@@ -70,7 +70,7 @@ mod tests {
         check("index.html", false);
         check("worker.js", false);
         check("worker_bg.wasm", false);
-        check("worker_loader.js", false);
+        check("worker_simd.js", false);
         check("goalgraph-web.js", false);
         check("samples/two-stacks/demo-9c0f3a1be2d45768.csv", false);
     }

@@ -122,10 +122,12 @@ pub(crate) struct Learned {
 /// What the worker infers at the moment.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Inferring {
-    /// What it infers from.
+    /// What the outcome is to be made from.
     pub(crate) basis: Basis,
     /// How far it is.
     pub(crate) progress: Progress,
+    /// Whether it still infers from an earlier basis, whose outcome nobody waits for any more.
+    pub(crate) superseded: bool,
 }
 
 /// What lies over the page.

@@ -52,7 +52,7 @@ pub(crate) struct App {
 /// What is no plain data: the browser's handles.
 #[derive(Default)]
 struct Outside {
-    link: OnceCell<WorkerLink>,
+    link: OnceCell<Rc<WorkerLink>>,
     files: RefCell<BTreeMap<FileId, File>>,
     let_go: RefCell<Option<autosave::LetGo>>,
     next_file: Cell<u32>,
@@ -290,9 +290,18 @@ impl App {
         self.model.notice.set(notice);
     }
 
-    fn post(self, request: &ToWorker, file: Option<&File>) {
-        if let Some(link) = self.outside.get_value().link.get() {
-            link.post(request, file);
+    /// Asks the worker for something, with the files that it is about. Where none could be started, one is tried again
+    /// and given what the one before had read.
+    fn post<'a>(self, request: &ToWorker, files: impl IntoIterator<Item = &'a File>) {
+        let outside = self.outside.get_value();
+        let Some(link) = outside.link.get() else { return };
+        if link.is_down() {
+            link.restart();
+            if !link.is_down() {
+                self.give_accepted();
+                self.ask_again();
+            }
         }
+        link.post(request, files);
     }
 }

@@ -77,6 +77,7 @@ impl Coordinator {
                 Some((ToWorker::Infer { files, request }, _)) if self.is_shared(&files, &request) => {
                     self.infer(&files, &request).await;
                 }
+                Some((request, _)) if self.answer_from_study(&request) => {}
                 Some((request, _)) => {
                     if matches!(request, ToWorker::Infer { .. } | ToWorker::Forget { .. }) {
                         self.study.take();
@@ -120,6 +121,16 @@ impl Coordinator {
         answers.give();
     }
 
+    /// Answers what is asked about one subset from what is known of the last inference in which the pool took part; tells
+    /// whether that is known.
+    fn answer_from_study(&self, request: &ToWorker) -> bool {
+        let (ToWorker::KDistances { of, .. } | ToWorker::Preview { of, .. }) = request else { return false };
+        let demonstrations = self.recordings.borrow().row(&of.files);
+        let known = self.study.borrow().answer(&demonstrations, request);
+        known.iter().for_each(answer);
+        known.is_some()
+    }
+
     /// Whether to infer from `files` together with the pool.
     fn is_shared(&self, files: &[FileId], request: &InferRequest) -> bool {
         let demonstrations = self.recordings.borrow().row(files);
@@ -143,9 +154,12 @@ impl Coordinator {
     ) -> Result<Inference, String> {
         let study = &self.study;
         study.borrow_mut().begin(demonstrations, request).map_err(|error| error.to_string())?;
-        let looks = study.borrow().to_look();
+        let (subsets, looks) = (study.borrow().subsets(), study.borrow().to_look());
+        // As elsewhere: every subset is looked at and clustered, and then the words are read.
+        let steps = |first: usize| Steps { first, total: 2 * subsets + 1 };
         self.share(
             "Looking at",
+            steps(subsets - looks.len()),
             &looks,
             |study, &index| study.look(index),
             |study, &index, outcome| {
@@ -159,6 +173,7 @@ impl Coordinator {
         let searches = study.borrow().to_search(request);
         self.share(
             "Clustering",
+            steps(2 * subsets - searches.len()),
             &searches,
             |study, (index, search)| study.search(*index, search),
             |study, (index, search), outcome| {
@@ -171,17 +186,21 @@ impl Coordinator {
         Ok(study.borrow().conclude(request))
     }
 
-    /// Has the pool do a piece for each of `parts`; `take` takes what came of it.
+    /// Has the pool do a piece for each of `parts`, which is a step each; `take` takes what came of it.
     async fn share<T>(
         &self,
         stage: &str,
+        steps: Steps,
         parts: &[T],
         piece: impl Fn(&SharedStudy, &T) -> (Piece, Vec<f64>),
         take: impl Fn(&mut SharedStudy, &T, Outcome),
     ) -> Result<(), String> {
-        let said = |done: usize| {
-            let stage = format!("{stage} {} subsets", parts.len());
-            answer(&FromWorker::Progress(Progress { stage, done, total: parts.len() }));
+        if parts.is_empty() {
+            return Ok(());
+        }
+        let said = |count: usize| {
+            let stage = format!("{stage} {} subset{}", parts.len(), if parts.len() == 1 { "" } else { "s" });
+            answer(&FromWorker::Progress(Progress { stage, done: steps.first + count, total: steps.total }));
         };
         let (count, failed) = (Cell::new(0), RefCell::new(None));
         let tasks = parts.iter().map(|part| {
@@ -201,6 +220,15 @@ impl Coordinator {
         self.pool.run(tasks, &done).await;
         failed.take().map_or(Ok(()), Err)
     }
+}
+
+/// Where among the steps of an inference some of them are.
+#[derive(Clone, Copy)]
+struct Steps {
+    /// How many come before.
+    first: usize,
+    /// How many there are.
+    total: usize,
 }
 
 /// A message is an array: the request, then the files where there are some.

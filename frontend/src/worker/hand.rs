@@ -13,14 +13,15 @@ use crate::protocol::decode;
 pub(super) fn start() {
     let on_message = Closure::<dyn FnMut(MessageEvent)>::new(|event: MessageEvent| {
         let parcel = Parcel::of_message(&event.data());
-        spawn_local(async { post(&serve(parcel).await) });
+        spawn_local(async move { post(&serve(&parcel).await) });
     });
     scope().set_onmessage(Some(on_message.as_ref().unchecked_ref()));
     on_message.forget();
     let _ = scope().post_message(&JsValue::NULL);
 }
 
-async fn serve(parcel: Parcel) -> Parcel {
+/// Does a task.
+pub(super) async fn serve(parcel: &Parcel) -> Parcel {
     let (done, values) = match decode::<Task>(&parcel.head) {
         Ok(Task::Read { name }) => Done::reading(match &parcel.file {
             Some(file) => file::load(file).await.and_then(|loaded| loaded.content(&name)),

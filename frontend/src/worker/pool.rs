@@ -7,10 +7,12 @@ use futures_util::future::join_all;
 use js_sys::{Function, Promise};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::JsFuture;
-use web_sys::{ErrorEvent, MessageEvent, UrlSearchParams, Worker, WorkerOptions, WorkerType};
+use web_sys::{ErrorEvent, Event, MessageEvent, UrlSearchParams, Worker};
 
+use super::hand;
 use super::parcel::Parcel;
 use super::scope;
+use crate::program::Program;
 
 /// The name by which a worker knows that it belongs to a pool.
 pub(super) const HAND: &str = "hand";
@@ -30,10 +32,10 @@ pub(super) struct Pool {
 }
 
 impl Pool {
-    /// As many workers as there are cores, up to [`MOST`]; `?workers=3` in the address of this worker says how many, and
-    /// that nothing is too little for them.
+    /// As many workers as there are cores, up to [`MOST`]; `?workers=3` in the name of this worker says how many, and that
+    /// nothing is too little for them.
     pub(super) fn of_scope() -> Self {
-        let search = UrlSearchParams::new_with_str(&scope().location().search());
+        let search = UrlSearchParams::new_with_str(&scope().name());
         let chosen = search.ok().and_then(|it| it.get("workers")).and_then(|it| it.parse().ok());
         let cores = scope().navigator().hardware_concurrency() as usize;
         Self {
@@ -49,7 +51,8 @@ impl Pool {
     }
 
     /// Has all `tasks` done, each made when a worker is free for it; `done` is told the position of a task and its answer
-    /// as they come. A worker that breaks down fails its task and is replaced.
+    /// as they come. A worker that breaks down is replaced, and a task fails that breaks two. Where no worker can be
+    /// started, this one does the work.
     pub(super) async fn run(
         &self,
         tasks: impl ExactSizeIterator<Item = Parcel>,
@@ -65,25 +68,43 @@ impl Pool {
         queue: &RefCell<impl Iterator<Item = (usize, Parcel)>>,
         done: &dyn Fn(usize, Result<Parcel, String>),
     ) {
-        let mut hand = self.idle.borrow_mut().pop();
+        let mut lane = Lane::Free(self.idle.borrow_mut().pop());
         loop {
             let next = queue.borrow_mut().next();
             let Some((index, task)) = next else { break };
+            let first = lane.ask(&task).await;
+            done(index, if first.is_ok() { first } else { lane.ask(&task).await });
+        }
+        if let Lane::Free(hand) = lane {
+            self.idle.borrow_mut().extend(hand);
+        }
+    }
+}
+
+/// Where one task is done after the other.
+enum Lane {
+    /// By a worker of the pool, which is started when there is none.
+    Free(Option<Hand>),
+    /// By this worker: no other can be started.
+    Alone,
+}
+
+impl Lane {
+    /// Has a task done; whoever breaks down over it is gone.
+    async fn ask(&mut self, task: &Parcel) -> Result<Parcel, String> {
+        if let Self::Free(hand) = self {
             let ready = match hand.take() {
-                Some(hand) => Ok(hand),
+                Some(hand) => Some(hand),
                 None => Hand::start().await,
             };
-            let answer = match ready {
-                Ok(ready) => {
-                    let answer = ready.ask(&task).await;
-                    hand = answer.is_ok().then_some(ready);
-                    answer
-                }
-                Err(reason) => Err(reason),
-            };
-            done(index, answer);
+            if let Some(ready) = ready {
+                let answer = ready.ask(task).await;
+                *hand = answer.is_ok().then_some(ready);
+                return answer;
+            }
+            *self = Self::Alone;
         }
-        self.idle.borrow_mut().extend(hand);
+        Ok(hand::serve(task).await)
     }
 }
 
@@ -92,30 +113,28 @@ struct Hand {
     worker: Worker,
     /// Whoever waits for it, to be told that it broke down.
     waiting: Rc<RefCell<Option<Function>>>,
-    _on_error: Closure<dyn FnMut(ErrorEvent)>,
+    _on_error: Closure<dyn FnMut(Event)>,
 }
 
 impl Hand {
-    /// Starts a worker and waits until it listens.
-    async fn start() -> Result<Self, String> {
-        let options = WorkerOptions::new();
-        options.set_type(WorkerType::Module);
-        options.set_name(HAND);
-        let worker = Worker::new_with_options("/worker_loader.js", &options)
-            .map_err(|_| "the browser starts no worker".to_owned())?;
+    /// Starts a worker and waits until it listens; none where it does not come to that.
+    async fn start() -> Option<Self> {
+        let worker = Program::own(&scope().location()).start(HAND).ok()?;
         let waiting = Rc::new(RefCell::new(None::<Function>));
         let told = Rc::clone(&waiting);
-        let on_error = Closure::new(move |event: ErrorEvent| {
+        let on_error = Closure::new(move |event: Event| {
             // Else the page hears of it and ends the coordinator.
             event.prevent_default();
+            // What cannot be loaded gives no reason.
+            let message = event.dyn_into::<ErrorEvent>().map(|event| event.message());
             if let Some(told) = told.take() {
-                let _ = told.call1(&JsValue::NULL, &JsValue::from_str(&event.message()));
+                let _ = told.call1(&JsValue::NULL, &message.unwrap_or_default().into());
             }
         });
         worker.set_onerror(Some(on_error.as_ref().unchecked_ref()));
         let hand = Self { worker, waiting, _on_error: on_error };
-        JsFuture::from(hand.next_message()).await.map_err(|reason| broken(&reason))?;
-        Ok(hand)
+        JsFuture::from(hand.next_message()).await.ok()?;
+        Some(hand)
     }
 
     /// Has it do a task.
@@ -139,11 +158,12 @@ impl Hand {
 
 impl Drop for Hand {
     fn drop(&mut self) {
+        self.worker.set_onerror(None);
         self.worker.terminate();
     }
 }
 
 fn broken(reason: &JsValue) -> String {
-    let reason = reason.as_string().unwrap_or_else(|| "it could not be loaded".to_owned());
+    let reason = reason.as_string().unwrap_or_else(|| "without a reason".to_owned());
     format!("a worker broke down ({reason}); the recordings may be too large for this browser")
 }

@@ -11,7 +11,7 @@ use goalgraph::specification::{Specification, SubsetParameters};
 use goalgraph::sub_goal::{Cluster, Eliminated};
 use goalgraph::subset::SubsetRequest;
 
-use super::looking::{clusters_of, curve_of};
+use super::looking::{clusters, curve_of};
 use super::reading::Content;
 use super::thin::{cloud, track};
 use crate::protocol::{
@@ -66,13 +66,17 @@ impl Recordings {
                 answer(inferred(&demonstrations, inference));
             }
             ToWorker::KDistances { of, neighbor, number } => {
-                let curve = self.study_of(&of).map(|study| curve_of(study, &of, neighbor));
-                let result = curve.and_then(|curve| curve.ok_or_else(|| unknown(&of)));
+                let result = self.study_of(&of).and_then(|study| {
+                    let recording = study.recording(&of.subset).ok_or_else(|| unknown(&of))?;
+                    Ok(curve_of(recording, neighbor))
+                });
                 answer(FromWorker::KDistances { number, result });
             }
             ToWorker::Preview { of, number } => {
-                let clusters = self.study_of(&of).map(|study| clusters_of(study, &of));
-                let result = clusters.and_then(|clusters| clusters.ok_or_else(|| unknown(&of)));
+                let result = self.study_of(&of).and_then(|study| {
+                    let search = study.sub_goals(&of.subset, of.request.radius);
+                    search.map(clusters).ok_or_else(|| unknown(&of))
+                });
                 answer(FromWorker::Previewed { number, result });
             }
             ToWorker::Track { demonstration } => {

@@ -8,7 +8,9 @@ use goalgraph::infer::{
 use goalgraph::points::Track;
 use goalgraph::subset::SubsetRequest;
 
+use super::looking::{clusters, curve_of};
 use super::piece::{Look, Piece, Search, values_of};
+use crate::protocol::{FromWorker, SubsetOf, ToWorker};
 
 /// What is known of the subsets of some demonstrations.
 ///
@@ -42,10 +44,8 @@ impl SharedStudy {
         request: &InferRequest,
     ) -> Result<(), InferError> {
         let subsets = requested_subsets(&demonstrations, request)?;
-        let pairs = || self.demonstrations.iter().zip(&demonstrations);
-        let same = self.demonstrations.len() == demonstrations.len()
-            && pairs().all(|(one, other)| one.is_same_recording(other));
-        let mut known = if same { std::mem::take(&mut self.parts) } else { Vec::new() };
+        let is_same = self.is_in(&demonstrations);
+        let mut known = if is_same { std::mem::take(&mut self.parts) } else { Vec::new() };
         self.demonstrations = demonstrations;
         let part = |subset: SubsetRequest| {
             let (name, features) = (subset.name.clone(), subset.features.clone());
@@ -59,6 +59,49 @@ impl SharedStudy {
         };
         self.parts = subsets.into_iter().map(part).collect();
         Ok(())
+    }
+
+    /// The answer to a `request` about one subset in `demonstrations`; none where it is about something else, or they were
+    /// not looked at in this way.
+    pub(super) fn answer(&self, demonstrations: &[Demonstration], request: &ToWorker) -> Option<FromWorker> {
+        match request {
+            ToWorker::KDistances { of, neighbor, number } => {
+                let curve = curve_of(self.subset(demonstrations, of)?.recording(), *neighbor);
+                Some(FromWorker::KDistances { number: *number, result: Ok(curve) })
+            }
+            ToWorker::Preview { of, number } => {
+                let search = self.subset(demonstrations, of)?.sub_goals(&of.subset, of.request.radius);
+                Some(FromWorker::Previewed { number: *number, result: Ok(clusters(search)) })
+            }
+            _ => None,
+        }
+    }
+
+    /// What is known of a subset, where it was looked at beside the same others.
+    fn subset(&self, demonstrations: &[Demonstration], of: &SubsetOf) -> Option<&SubsetStudy> {
+        let is_of = |(part, subset): (&Part, &SubsetRequest)| {
+            let Look { name, features, method } = &part.look;
+            part.seen && (name, features, *method) == (&subset.name, &subset.features, of.request.method)
+        };
+        let is_it =
+            |part: &&Part| part.look.name == of.subset.name && part.look.features == of.subset.features;
+        let subsets = &of.request.subsets;
+        let is_known = self.is_in(demonstrations)
+            && self.parts.len() == subsets.len()
+            && self.parts.iter().zip(subsets).all(is_of);
+        self.parts.iter().find(is_it).filter(|_| is_known).map(|part| &part.study)
+    }
+
+    /// Whether these are the demonstrations.
+    fn is_in(&self, demonstrations: &[Demonstration]) -> bool {
+        let mut pairs = self.demonstrations.iter().zip(demonstrations);
+        self.demonstrations.len() == demonstrations.len()
+            && pairs.all(|(one, other)| one.is_same_recording(other))
+    }
+
+    /// How many subsets there are.
+    pub(super) fn subsets(&self) -> usize {
+        self.parts.len()
     }
 
     /// The subsets that nobody has looked at yet.
@@ -142,9 +185,10 @@ mod tests {
     use goalgraph::subset::Setting;
 
     use super::*;
-    use crate::protocol::{decode, encode};
+    use crate::protocol::{FileId, decode, encode};
     use crate::worker::piece::Outcome;
     use crate::worker::reading::{Content, read};
+    use crate::worker::recordings::Recordings;
 
     /// Recordings in which two things are carried to places that differ a little.
     fn recordings(count: usize) -> Vec<Demonstration> {
@@ -223,6 +267,48 @@ mod tests {
         check(&demonstrations[1..], &request, 4);
         request.subsets.truncate(1);
         check(&demonstrations[1..], &request, 1);
+    }
+
+    #[test]
+    fn a_subset_is_told_of_as_if_it_was_not_shared() {
+        let demonstrations = recordings(4);
+        let (mut study, request) = (SharedStudy::default(), InferRequest::default());
+        infer_in_pieces(&mut study, &demonstrations, &request);
+        let mut kept = Recordings::default();
+        kept.keep(FileId(0), Ok(Content::Demonstrations(demonstrations.clone())));
+
+        let subsets = requested_subsets(&demonstrations, &request).unwrap();
+        let request = InferRequest { subsets: subsets.clone(), ..request };
+        for subset in subsets {
+            let subset = SubsetRequest { epsilon: Setting::Fixed(0.02), ..subset };
+            let of = SubsetOf { files: vec![FileId(0)], request: request.clone(), subset };
+            let curve = ToWorker::KDistances { of: of.clone(), neighbor: 4, number: 7 };
+            let preview = ToWorker::Preview { of, number: 8 };
+            for asked in [curve, preview] {
+                let answer = study.answer(&demonstrations, &asked).unwrap();
+                assert_eq!(study.answer(&demonstrations[1..], &asked), None);
+                kept.serve(asked, &mut |expected| assert_eq!(answer, expected));
+            }
+        }
+    }
+
+    #[test]
+    fn a_subset_that_was_looked_at_otherwise_is_not_told_of() {
+        let demonstrations = recordings(4);
+        let (mut study, request) = (SharedStudy::default(), InferRequest::default());
+        let subsets = requested_subsets(&demonstrations, &request).unwrap();
+        let asked = |request: InferRequest| {
+            let of = SubsetOf { files: vec![FileId(0)], subset: request.subsets[0].clone(), request };
+            ToWorker::Preview { of, number: 1 }
+        };
+        let all = InferRequest { subsets, ..request.clone() };
+        assert_eq!(study.answer(&demonstrations, &asked(all.clone())), None);
+        infer_in_pieces(&mut study, &demonstrations, &request);
+        assert!(study.answer(&demonstrations, &asked(all.clone())).is_some());
+        let published = InferRequest { method: Method::Published, ..all.clone() };
+        assert_eq!(study.answer(&demonstrations, &asked(published)), None);
+        let one = InferRequest { subsets: all.subsets[..1].to_vec(), ..all };
+        assert_eq!(study.answer(&demonstrations, &asked(one)), None);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! The worker in two builds, with SIMD and without: `worker_loader.js` starts the one that the browser can run.
+//! The worker in two builds, with SIMD and without: the page starts the one that the browser can run.
 //!
 //! Trunk gives all programs of a page the same profile and the same flags, so the worker is built beside it.
 

@@ -54,8 +54,8 @@ impl App {
         let handles = ids.iter().filter_map(|id| known.get_key_value(id));
         let (requests, files): (Vec<FileToRead>, Vec<&File>) =
             handles.map(|(&file, handle)| (FileToRead { file, name: handle.name() }, handle)).unzip();
-        if let Some(link) = outside.link.get().filter(|_| !files.is_empty()) {
-            link.post(&ToWorker::Read(requests), files);
+        if !files.is_empty() {
+            self.post(&ToWorker::Read(requests), files);
         }
     }
 
@@ -88,6 +88,7 @@ impl App {
         if self.model.inferring.get_untracked().is_some() || self.derived.reading.get_untracked() {
             self.restart_worker();
         }
+        self.forget_attempt();
         if let Some(work) = autosave::let_go(self) {
             self.outside.get_value().let_go.replace(Some(work));
             self.model.can_bring_back.set(true);

@@ -120,8 +120,16 @@ impl App {
         let Some(attempt) = self.model.tuning.attempt.get_untracked().filter(|it| !it.released) else {
             return;
         };
-        let subset = self.derived.tuning.subset.get_untracked();
-        if subset.is_some_and(|it| it.name == attempt.subset && is_same(it.epsilon, attempt.epsilon)) {
+        let tuning = &self.derived.tuning;
+        let is_its_own = |name: &str| name == attempt.subset;
+        let can_be_chosen = tuning.of.get_untracked().is_some_and(|of| is_its_own(&of.subset.name));
+        let is_learned = tuning
+            .subset
+            .get_untracked()
+            .is_some_and(|it| is_its_own(&it.name) && is_same(it.epsilon, attempt.epsilon));
+        // While something is inferred, what was learned may not be what was chosen last.
+        let is_chosen = is_learned && self.model.inferring.with_untracked(Option::is_none);
+        if is_chosen || !can_be_chosen {
             return self.forget_attempt();
         }
         let epsilon = Some(Setting::Fixed(attempt.epsilon));
@@ -137,7 +145,7 @@ impl App {
             subset.min_points = min_points.unwrap_or(subset.min_points);
         }
         self.act(Action::ChooseSubsets(Some(subsets)));
-        self.act(Action::Infer);
+        self.infer_next();
     }
 
     /// What is shown again is what was learned.
@@ -146,15 +154,34 @@ impl App {
         self.model.tuning.found.set(None);
     }
 
+    /// Whether the epsilon that is shown waits for an inference with it.
+    pub(super) fn is_attempt_released(self) -> bool {
+        self.model.tuning.attempt.with_untracked(|it| it.as_ref().is_some_and(|it| it.released))
+    }
+
     /// A fresh worker answers nothing that was asked of the one before.
     pub(super) fn ask_again(self) {
         let tuning = &self.model.tuning;
         tuning.under_way.set(None);
-        tuning.curve.update(|curve| curve.of = curve.answer.as_ref().map(|(of, _)| of.clone()));
-        if tuning.attempt.with_untracked(|it| it.as_ref().is_some_and(|it| it.released)) {
-            self.forget_attempt();
-        }
+        tuning.curve.update(|curve| {
+            let measured = curve.answer.as_ref().filter(|(_, result)| result.is_ok());
+            curve.of = measured.map(|(of, _)| of.clone());
+        });
         self.search_attempt();
+    }
+
+    /// Nothing that was asked for is answered, for this reason.
+    pub(super) fn tune_no_more(self, reason: &str) {
+        let tuning = &self.model.tuning;
+        tuning.under_way.set(None);
+        self.forget_attempt();
+        let unanswered = tuning.curve.with_untracked(|curve| {
+            let answered = curve.answer.as_ref().map(|(of, _)| of);
+            (curve.of.as_ref() != answered).then_some(curve.number)
+        });
+        if let Some(number) = unanswered {
+            self.curve_measured(number, Err(format!("the worker did not start: {reason}")));
+        }
     }
 }
 

@@ -18,17 +18,36 @@ use crate::page::worker_link::Report;
 use crate::protocol::{FromWorker, Outcome, ReadFile, ToWorker};
 
 impl App {
+    /// Infers from what is there now; what is being inferred is of no use any more.
     pub(super) fn infer(self) {
         let Some(basis) = self.derived.basis.get_untracked() else {
             return self.say(Notice::alarm("There are no demonstrations to infer from. Open some first."));
         };
         if self.model.inferring.with_untracked(Option::is_some) {
-            self.cancel();
+            self.restart_worker();
         }
+        self.begin(basis);
+    }
+
+    /// Infers with other parameters. What is being inferred goes on to its end, for the subsets are looked at only once.
+    pub(super) fn infer_next(self) {
+        let inferring = self.model.inferring;
+        match self.derived.basis.get_untracked() {
+            Some(basis) if inferring.with_untracked(Option::is_some) => inferring.update(|inferring| {
+                if let Some(inferring) = inferring {
+                    inferring.superseded = true;
+                    inferring.basis = basis;
+                }
+            }),
+            _ => self.infer(),
+        }
+    }
+
+    fn begin(self, basis: Basis) {
         let Basis { files, request } = basis.clone();
         let progress = Progress { stage: "Starting".to_owned(), done: 0, total: 1 };
         self.model.canceled.set(None);
-        self.model.inferring.set(Some(Inferring { basis, progress }));
+        self.model.inferring.set(Some(Inferring { basis, progress, superseded: false }));
         self.post(&ToWorker::Infer { files, request }, None);
     }
 
@@ -39,6 +58,7 @@ impl App {
         }
         self.say(Notice::calm("Canceled. Nothing was lost."));
         self.restart_worker();
+        self.infer_no_more();
         if self.is_placing() {
             self.tidy();
         }
@@ -51,39 +71,76 @@ impl App {
         if let Some(link) = outside.link.get() {
             link.restart();
         }
-        let verdicts = self.derived.verdicts.get_untracked().into_iter();
-        let (unread, read): (Vec<_>, Vec<_>) =
-            verdicts.partition(|(_, verdict)| *verdict == Verdict::Reading);
-        self.set_readings(unread.into_iter().map(|(id, _)| (id, Reading::Canceled)).collect());
-        let accepted = read.into_iter().filter(|(_, verdict)| matches!(verdict, Verdict::Accepted(_)));
-        self.post_files(&accepted.map(|(id, _)| id).collect::<Vec<_>>());
-        self.model.canceled.set(self.derived.basis.get_untracked());
+        self.mark_unread();
+        self.give_accepted();
         self.ask_again();
+    }
+
+    /// What the worker was to read, and did not.
+    fn mark_unread(self) {
+        let verdicts = self.derived.verdicts.get_untracked().into_iter();
+        let unread = verdicts.filter(|(_, verdict)| *verdict == Verdict::Reading);
+        self.set_readings(unread.map(|(id, _)| (id, Reading::Canceled)).collect());
+    }
+
+    /// Gives the worker the files that were accepted.
+    pub(super) fn give_accepted(self) {
+        let verdicts = self.derived.verdicts.get_untracked().into_iter();
+        let accepted = verdicts.filter(|(_, verdict)| matches!(verdict, Verdict::Accepted(_)));
+        self.post_files(&accepted.map(|(id, _)| id).collect::<Vec<_>>());
+    }
+
+    /// What is there now is not inferred from until somebody asks for it.
+    fn infer_no_more(self) {
+        self.model.canceled.set(self.derived.basis.get_untracked());
+        if self.is_attempt_released() {
+            self.forget_attempt();
+        }
     }
 
     pub(super) fn hear(self, report: Report) {
         match report {
             Report::Answer(answer) => self.take(answer),
-            Report::Broken(reason) => {
-                // The first file that was not read is the one that the worker broke down over.
-                let unread = self.derived.verdicts.get_untracked().into_iter();
-                let culprit =
-                    unread.filter(|(_, verdict)| *verdict == Verdict::Reading).map(|(id, _)| id).next();
-                self.restart_worker();
-                if self.is_placing() && culprit.is_none() {
-                    // It would break down again.
-                    self.model.tidied.update(|tidied| {
-                        tidied.answered = tidied.asked;
-                        tidied.layouts = Vec::new();
-                    });
-                }
-                let reason =
-                    format!("the worker broke down ({reason}); the file may be too large for this browser");
-                match culprit {
-                    Some(id) => self.set_readings(BTreeMap::from([(id, Reading::Refused(reason))])),
-                    None => self.say(Notice::alarm(format!("Not done: {reason}."))),
-                }
-            }
+            Report::Broken(reason) => self.replace_broken(&reason),
+            Report::Unstarted(reason) => self.do_without(&reason),
+        }
+    }
+
+    fn replace_broken(self, reason: &str) {
+        // The first file that was not read is the one that the worker broke down over.
+        let unread = self.derived.verdicts.get_untracked().into_iter();
+        let culprit = unread.filter(|(_, verdict)| *verdict == Verdict::Reading).map(|(id, _)| id).next();
+        self.restart_worker();
+        self.infer_no_more();
+        if culprit.is_none() {
+            // It would break down again.
+            self.place_no_more();
+        }
+        let reason = format!("the worker broke down ({reason}); the file may be too large for this browser");
+        match culprit {
+            Some(id) => self.set_readings(BTreeMap::from([(id, Reading::Refused(reason))])),
+            None => self.say(Notice::alarm(format!("Not done: {reason}."))),
+        }
+    }
+
+    /// There is no worker: nothing that was asked for is done.
+    fn do_without(self, reason: &str) {
+        self.model.inferring.set(None);
+        self.mark_unread();
+        self.place_no_more();
+        self.tune_no_more(reason);
+        self.say(Notice::alarm(format!(
+            "Nothing can be read or inferred: the worker did not start ({reason}). Nothing is lost, and it is tried again \
+             with the next thing that you do."
+        )));
+    }
+
+    fn place_no_more(self) {
+        if self.is_placing() {
+            self.model.tidied.update(|tidied| {
+                tidied.answered = tidied.asked;
+                tidied.layouts = Vec::new();
+            });
         }
     }
 
@@ -151,7 +208,12 @@ impl App {
     fn learned(self, result: Result<Box<Outcome>, String>, layouts: Vec<Layout>) {
         let Some(inferring) = self.model.inferring.get_untracked() else { return };
         self.model.inferring.set(None);
-        self.forget_attempt();
+        if inferring.superseded {
+            return self.infer();
+        }
+        if self.is_attempt_released() {
+            self.forget_attempt();
+        }
         match result {
             Err(reason) => self.say(Notice::alarm(format!("Nothing was inferred: {reason}"))),
             Ok(outcome) => {
